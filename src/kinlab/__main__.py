@@ -1,0 +1,5 @@
+"""`python -m kinlab`."""
+
+from kinlab.cli import main
+
+main()

@@ -1,0 +1,23 @@
+"""The command line: `kinlab COMMAND ...`. Each command stands in a module of its own, imported when it is used."""
+
+import sys
+
+from kinlab.errors import KinlabError
+
+
+def main(args: list[str] | None = None) -> None:
+    """Run `kinlab` with `args` (default: those of the process) and exit with its code.
+
+    0 done, 1 the job failed, 2 wrong usage, 130 interrupted.
+    """
+    from kinlab.cli.commands import kinlab
+
+    # Consoles that cannot encode a degree sign or a braille dot get a substitute, not a crash.
+    for stream in (sys.stdout, sys.stderr):
+        if hasattr(stream, "reconfigure"):
+            stream.reconfigure(errors="replace")
+    try:
+        kinlab(args=args, prog_name="kinlab")
+    except KinlabError as error:
+        print(f"kinlab: {error}", file=sys.stderr)
+        sys.exit(error.exit_code)

@@ -1,0 +1,68 @@
+"""The group `kinlab`, which imports a command's module when that command is asked for."""
+
+from importlib import import_module
+from typing import Annotated, Any
+
+import typer
+from typer.core import TyperGroup
+
+import kinlab as package
+
+COMMANDS = {
+    "tour": "the whole path once, in ten seconds: the first thing to run",
+    "robots": "list the robots; show one with the source of every dimension; write URDF",
+    "ik": "a target in millimetres as joint angles, servo ticks, and the error they leave",
+    "fk": "joint angles as the position and attitude of the tip",
+    "body": "every leg's joints for a pose of the body over fixed feet",
+    "workspace": "how far a limb reaches, and where it cannot",
+}
+
+
+class LazyGroup(TyperGroup):
+    """A command group whose members are imported one by one, when they are needed."""
+
+    def __init__(self, **attrs: Any) -> None:
+        super().__init__(**attrs)
+        self.commands = dict.fromkeys(COMMANDS)  # type: ignore[arg-type]
+
+    def list_commands(self, ctx: Any) -> list[str]:
+        return list(COMMANDS)
+
+    def get_command(self, ctx: Any, cmd_name: str) -> Any:
+        if cmd_name not in COMMANDS:
+            return None
+        command = typer.main.get_command(import_module(f"kinlab.cli.{cmd_name}").app)
+        command.name = cmd_name
+        command.short_help = COMMANDS[cmd_name]
+        return command
+
+
+app = typer.Typer(
+    cls=LazyGroup,
+    rich_markup_mode=None,
+    pretty_exceptions_enable=False,
+    no_args_is_help=True,
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
+
+
+def _version(wanted: bool) -> None:
+    if wanted:
+        typer.echo(f"kinlab {package.__version__}")
+        raise typer.Exit
+
+
+@app.callback(epilog="Start with: kinlab tour")
+def _root(
+    version: Annotated[
+        bool, typer.Option("--version", "-V", callback=_version, is_eager=True, help="Show the version.")
+    ] = False,
+) -> None:
+    """A robotics laboratory for the terminal.
+
+    Pick a robot, give a target in millimetres, and see the joint angles, the
+    servo ticks, and how far off the foot lands.
+    """
+
+
+kinlab = typer.main.get_command(app)

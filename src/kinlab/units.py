@@ -1,0 +1,32 @@
+"""The one place where people's units (mm, degrees) meet the inside's (metres, radians)."""
+
+import math
+from typing import Any
+
+import numpy as np
+
+from kinlab.errors import UsageError
+from kinlab.names import resolve
+
+METRES = {"mm": 1e-3, "cm": 1e-2, "m": 1.0}
+
+
+def to_metres(values: Any, unit: str = "mm") -> Any:
+    """Lengths in `unit` (mm, cm or m) as metres; scalars and arrays alike."""
+    return np.asarray(values, dtype=float) * METRES[resolve(unit, METRES, "unit")]
+
+
+def to_mm(values: Any) -> Any:
+    """Metres as millimetres."""
+    return np.asarray(values, dtype=float) * 1e3
+
+
+def finite(values: Any, what: str) -> None:
+    """Refuse NaN and infinities.
+
+    Raises:
+        UsageError: naming `what` and the offending value.
+    """
+    for value in np.ravel(values):
+        if not math.isfinite(value):
+            raise UsageError(f"{what} must be finite numbers, got {value}")
