@@ -1,0 +1,394 @@
+"""The bus client: requests by register name, in ticks or degrees, and their answers."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from types import TracebackType
+from typing import NamedTuple
+
+from kinlab.dynamixel.bus.errors import DamagedAnswer, NoAnswer, Refused
+from kinlab.dynamixel.chain.chain import wire_time
+from kinlab.dynamixel.codec.checks import crc16
+from kinlab.dynamixel.codec.instructions import (
+    ALERT,
+    BACKUP_KEY,
+    BROADCAST,
+    BY_NAME,
+    CLEAR_KEY,
+    STATUS,
+    error_names,
+    pack,
+)
+from kinlab.dynamixel.codec.packets import Packet, decode, encode
+from kinlab.dynamixel.codec.stream import StreamParser
+from kinlab.dynamixel.ports import Port, open_port
+from kinlab.dynamixel.quantity import from_ticks, to_ticks
+from kinlab.dynamixel.tables import ControlTable, Register, table_of_number
+from kinlab.errors import UsageError
+
+LONGEST_DELAY = 254 * 2e-6
+LONGEST_SLOT = 0.003  # s that a servo may take for each id below its own when all are pinged
+ALARMS_1 = 0b100101  # input voltage, overheating, overload: a state, not the fate of the request
+STATUS_FRAME = {1: 6, 2: 11}  # bytes of an answer without data
+
+
+class Found(NamedTuple):
+    """A servo that answered a ping."""
+
+    id: int
+    protocol: int
+    number: int
+    firmware: int
+
+    @property
+    def table(self) -> ControlTable | None:
+        """Its control table; None where KinLab has none for its model."""
+        return table_of_number(self.number)
+
+    @property
+    def model(self) -> str:
+        """Its model's name, or number."""
+        return self.table.model if self.table else f"model {self.number}"
+
+
+class Bus:
+    """Servos behind a port.
+
+        with Bus("/dev/ttyUSB0", baud=57600) as bus:
+            bus.write(1, "torque_enable", 1)
+            bus.write(1, "goal_position", "90deg")
+            bus.read(1, "present_position", "deg")
+
+    Attributes:
+        alarms: of each servo, what its last answer said about its state ("overload"); absent if all is well.
+    """
+
+    def __init__(
+        self,
+        port: Port | str,
+        baud: int = 1_000_000,
+        protocol: int | None = None,
+        retries: int = 2,
+        echo: bool = False,
+    ) -> None:
+        """Open the bus.
+
+        Args:
+            port: a port, or the name of one (see `open_port`).
+            protocol: 1 or 2; None: found out, servo by servo.
+            retries: how often a request without an intact answer is repeated.
+            echo: the adapter hears what it sends.
+
+        Raises:
+            PortError: the port cannot be opened.
+        """
+        self.port = open_port(port, baud) if isinstance(port, str) else port
+        self.retries = retries
+        self.alarms: dict[int, list[str]] = {}
+        self._protocols = (protocol,) if protocol else (2, 1)
+        self._echo = echo
+        self._known: dict[int, Found] = {}
+
+    def __enter__(self) -> "Bus":
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Let go of the port."""
+        self.port.close()
+
+    # Finding servos.
+
+    def ping(self, servo: int) -> Found:
+        """Ask one servo whether it is there.
+
+        Raises:
+            NoAnswer: it is not.
+        """
+        for protocol in self._protocols:
+            try:
+                answer = self._ask(Packet(protocol, servo, 1), "PING", 3 if protocol == 2 else 0)
+            except NoAnswer:
+                if protocol == self._protocols[-1]:
+                    raise
+                continue
+            if protocol == 2:
+                found = Found(servo, 2, int.from_bytes(answer.params[:2], "little"), answer.params[2])
+            else:
+                data = self._read_bytes(1, servo, 0, 3, "model_number")
+                found = Found(servo, 1, int.from_bytes(data[:2], "little"), data[2])
+            self._known[servo] = found
+            return found
+        raise NoAnswer(servo, "PING")
+
+    def scan(self, ids: Iterable[int] = range(254)) -> list[Found]:
+        """All servos that answer, in order of id. Protocol 2.0 is asked once, Protocol 1.0 id by id."""
+        wanted = list(ids)
+        found: dict[int, Found] = {}
+        if 2 in self._protocols:
+            turns = max(wanted, default=0) + 1
+            window = wire_time(14 * turns, self.port.baud) + LONGEST_SLOT * turns
+            for frame in self._exchange(Packet(2, BROADCAST, 1), window, None)[0]:
+                packet = decode(frame, 2)
+                if packet.error is not None and packet.id in wanted and len(packet.params) == 3:
+                    number = int.from_bytes(packet.params[:2], "little")
+                    found[packet.id] = Found(packet.id, 2, number, packet.params[2])
+        if 1 in self._protocols:
+            listener = Bus(self.port, protocol=1, retries=0, echo=self._echo)
+            for servo in wanted:
+                if servo not in found:
+                    try:
+                        found[servo] = listener.ping(servo)
+                    except (NoAnswer, DamagedAnswer):
+                        continue
+        self._known.update(found)
+        return [found[servo] for servo in sorted(found)]
+
+    def known(self, servo: int) -> Found:
+        """What a servo is; it is asked the first time."""
+        return self._known.get(servo) or self.ping(servo)
+
+    def register(self, servo: int, name: str) -> Register:
+        """A servo's register by name or address.
+
+        Raises:
+            UsageError: it has none of that name, or its model has no table.
+        """
+        table = self.known(servo).table
+        if table is None:
+            raise UsageError(f"servo {servo} is of {self.known(servo).model}, for which there is no control table")
+        return table.find(name)
+
+    # One servo.
+
+    def read(self, servo: int, name: str, unit: str | None = None) -> int | float:
+        """A register's value: in ticks, or in `unit` ("deg", "rad", "rpm", "%", "V", "degC")."""
+        register = self.register(servo, name)
+        data = self._read_bytes(
+            self.known(servo).protocol, servo, register.address, register.size, register.name
+        )
+        return from_ticks(register.decode(data), register, unit)
+
+    def write(self, servo: int, name: str, value: int | float | str, unit: str | None = None) -> None:
+        """Set a register: to ticks, to an amount in `unit`, or as in "90deg"."""
+        self._write("WRITE", servo, name, value, unit)
+
+    def reg_write(self, servo: int, name: str, value: int | float | str, unit: str | None = None) -> None:
+        """Like `write`, but carried out at the next `action`."""
+        self._write("REG_WRITE", servo, name, value, unit)
+
+    def action(self) -> None:
+        """Let all servos carry out what `reg_write` left with them."""
+        for protocol in {known.protocol for known in self._known.values()} or set(self._protocols):
+            self.port.send(encode(Packet(protocol, BROADCAST, 5)))
+
+    def reboot(self, servo: int) -> None:
+        """Restart a servo; it is deaf for a moment."""
+        self._command("REBOOT", servo, {})
+
+    def factory_reset(self, servo: int, keep: str = "id") -> None:
+        """Set a servo back to the factory's values.
+
+        Args:
+            keep: "nothing", "id", or "id and baud rate". Protocol 1.0 always keeps nothing.
+        """
+        option = {"nothing": 0xFF, "id": 1, "id and baud rate": 2}.get(keep)
+        if option is None:
+            raise UsageError(f"a factory reset keeps 'nothing', 'id' or 'id and baud rate', not '{keep}'")
+        self._command("FACTORY_RESET", servo, {"option": option})
+        self._known.clear()
+
+    def clear(self, servo: int) -> None:
+        """Forget the turns that a servo has counted."""
+        self._command("CLEAR", servo, {"option": 1, "key": CLEAR_KEY})
+
+    def backup(self, servo: int, restore: bool = False) -> None:
+        """Store a copy of a servo's control table, or go back to it."""
+        self._command("CONTROL_TABLE_BACKUP", servo, {"option": 2 if restore else 1, "key": BACKUP_KEY})
+
+    # Many servos.
+
+    def sync_read(
+        self, name: str, servos: Sequence[int], unit: str | None = None, fast: bool = False
+    ) -> dict[int, int | float]:
+        """The same register of many servos in one request."""
+        register = self._common(servos, name)
+        head = {"address": register.address, "count": register.size}
+        wanted = dict.fromkeys(servos, register)
+        rows = [{"id": servo} for servo in servos]
+        return self._read_many("FAST_SYNC_READ" if fast else "SYNC_READ", wanted, head, rows, unit)
+
+    def bulk_read(
+        self, names: Mapping[int, str], unit: str | None = None, fast: bool = False
+    ) -> dict[int, int | float]:
+        """One register of each servo, another one for each if need be, in one request."""
+        wanted = {servo: self.register(servo, name) for servo, name in names.items()}
+        rows = [{"id": s, "address": r.address, "count": r.size} for s, r in wanted.items()]
+        return self._read_many("FAST_BULK_READ" if fast else "BULK_READ", wanted, {}, rows, unit)
+
+    def sync_write(self, name: str, values: Mapping[int, int | float | str], unit: str | None = None) -> None:
+        """Set the same register of many servos at once; nobody answers."""
+        register = self._common(list(values), name)
+        rows = [{"id": s, "data": register.encode(to_ticks(v, register, unit))} for s, v in values.items()]
+        head = {"address": register.address, "length": register.size}
+        self._tell(self._protocol_of(values), "SYNC_WRITE", head, rows)
+
+    def bulk_write(self, values: Mapping[int, tuple[str, int | float | str]], unit: str | None = None) -> None:
+        """Set one register of each servo at once; nobody answers."""
+        rows: list[dict[str, int | bytes]] = []
+        for servo, (name, value) in values.items():
+            register = self.register(servo, name)
+            data = register.encode(to_ticks(value, register, unit))
+            rows.append({"id": servo, "address": register.address, "length": register.size, "data": data})
+        self._tell(self._protocol_of(values), "BULK_WRITE", {}, rows)
+
+    # On the wire.
+
+    def _protocol_of(self, servos: Iterable[int]) -> int:
+        protocols = {self.known(servo).protocol for servo in servos}
+        if len(protocols) != 1:
+            raise UsageError("servos of different protocols cannot be asked in one packet")
+        return protocols.pop()
+
+    def _common(self, servos: Sequence[int], name: str) -> Register:
+        registers = {(r.address, r.size): r for r in (self.register(servo, name) for servo in servos)}
+        if len(registers) != 1:
+            raise UsageError(f"{name} does not stand at one address in all these servos; use bulk_read or bulk_write")
+        return next(iter(registers.values()))
+
+    def _packet(
+        self,
+        protocol: int,
+        servo: int,
+        name: str,
+        head: Mapping[str, int | bytes],
+        rows: Sequence[Mapping[str, int | bytes]] = (),
+    ) -> Packet:
+        instruction = BY_NAME[protocol].get(name)
+        if instruction is None:
+            raise UsageError(f"Protocol {protocol}.0 has no {name}")
+        return Packet(protocol, servo, instruction.code, pack(instruction, head, rows))
+
+    def _tell(
+        self, protocol: int, name: str, head: Mapping[str, int | bytes], rows: Sequence[Mapping[str, int | bytes]]
+    ) -> None:
+        self.port.send(encode(self._packet(protocol, BROADCAST, name, head, rows)))
+
+    def _command(self, name: str, servo: int, head: Mapping[str, int | bytes]) -> None:
+        self._ask(self._packet(self.known(servo).protocol, servo, name, head), name, 0)
+
+    def _write(self, instruction: str, servo: int, name: str, value: int | float | str, unit: str | None) -> None:
+        register = self.register(servo, name)
+        if not register.writable:
+            raise UsageError(f"{register.name} can only be read")
+        data = register.encode(to_ticks(value, register, unit))
+        head: dict[str, int | bytes] = {"address": register.address, "data": data}
+        self._ask(self._packet(self.known(servo).protocol, servo, instruction, head), register.name, 0)
+        if register.name in ("id", "protocol_type"):
+            self._known.clear()
+
+    def _read_bytes(self, protocol: int, servo: int, address: int, count: int, subject: str) -> bytes:
+        packet = self._packet(protocol, servo, "READ", {"address": address, "count": count})
+        answer = self._ask(packet, subject, count)
+        if len(answer.params) != count:
+            raise DamagedAnswer(servo, subject, answer.params)
+        return answer.params
+
+    def _ask(self, packet: Packet, subject: str, count: int) -> Packet:
+        """The answer, with `count` bytes of data, of one servo."""
+        received = b""
+        for _ in range(self.retries + 1):
+            frames, received = self._exchange(packet, self._window(packet.protocol, [count]), 1)
+            for frame in frames:
+                answer = decode(frame, packet.protocol, as_status=True)
+                if answer.error is not None and answer.id == packet.id:
+                    self._judge(answer, subject)
+                    return answer
+        raise DamagedAnswer(packet.id, subject, received) if received else NoAnswer(packet.id, subject)
+
+    def _read_many(
+        self,
+        name: str,
+        wanted: Mapping[int, Register],
+        head: Mapping[str, int | bytes],
+        rows: Sequence[Mapping[str, int | bytes]],
+        unit: str | None,
+    ) -> dict[int, int | float]:
+        packet = self._packet(self._protocol_of(wanted), BROADCAST, name, head, rows)
+        window = self._window(packet.protocol, [register.size for register in wanted.values()])
+        answers: dict[int, Packet] = {}
+        received = b""
+        for _ in range(self.retries + 1):
+            fast = name.startswith("FAST")
+            frames, received = self._exchange(packet, window, 1 if fast else len(wanted))
+            if fast:
+                sizes = {servo: register.size for servo, register in wanted.items()}
+                answers = {part.id: part for frame in frames for part in split_fast(frame, sizes)}
+            else:
+                answers = {answer.id: answer for answer in (decode(f, packet.protocol, True) for f in frames)}
+            if answers.keys() >= wanted.keys():
+                break
+        values = {}
+        for servo, register in wanted.items():
+            if servo not in answers:
+                raise DamagedAnswer(servo, register.name, received) if received else NoAnswer(servo, register.name)
+            self._judge(answers[servo], register.name)
+            values[servo] = from_ticks(register.decode(answers[servo].params), register, unit)
+        return values
+
+    def _window(self, protocol: int, counts: Sequence[int]) -> float:
+        """How long the answers may take, in s: their bytes, the servos' delays, and the port's own."""
+        expected = sum(STATUS_FRAME[protocol] + count for count in counts)
+        return wire_time(expected, self.port.baud) + LONGEST_DELAY * len(counts) + self.port.latency
+
+    def _exchange(self, packet: Packet, window: float, count: int | None) -> tuple[list[bytes], bytes]:
+        """The intact packets that follow an instruction until there are `count` of them, and all that came."""
+        request = encode(packet)
+        self.port.send(request)
+        deadline = self.port.clock.now() + wire_time(len(request), self.port.baud) + window
+        parser = StreamParser(packet.protocol)
+        frames: list[bytes] = []
+        received = b""
+        to_skip = request if self._echo else b""
+        while count is None or len(frames) < count:
+            data = self.port.receive(deadline)
+            if not data:
+                break
+            received += data
+            if to_skip:
+                if len(received) < len(to_skip):
+                    continue
+                data = received = received.removeprefix(to_skip)
+                to_skip = b""
+            # Where an adapter echoes unasked, the instruction itself comes back first.
+            frames += [f for f in parser.feed(data) if packet.protocol == 1 or f != request]
+        return frames, received
+
+    def _judge(self, answer: Packet, subject: str) -> None:
+        """Note alarms; refuse an answer that says the request failed."""
+        error = answer.error or 0
+        state = ALERT if answer.protocol == 2 else ALARMS_1
+        names = error_names(answer.protocol, error & state)
+        self.alarms.pop(answer.id, None)
+        if names:
+            self.alarms[answer.id] = names
+        if error & ~state:
+            raise Refused(answer.id, subject, error, error_names(answer.protocol, error & ~state))
+
+
+def split_fast(frame: bytes, sizes: Mapping[int, int]) -> list[Packet]:
+    """The answers of the servos (id to bytes of data) that a fast read has put into one packet.
+
+    Each part is error, id, data and a CRC over all that came before it; the first that is wrong ends the list.
+    """
+    parts: list[Packet] = []
+    at = 8
+    while at + 1 < len(frame) and frame[at + 1] in sizes:
+        end = at + 2 + sizes[frame[at + 1]]
+        if crc16(frame[:end]) != int.from_bytes(frame[end : end + 2], "little"):
+            break
+        parts.append(Packet(2, frame[at + 1], STATUS, frame[at + 2 : end], frame[at]))
+        at = end + 2
+    return parts
