@@ -1,13 +1,13 @@
 """Dynamixel: packets byte by byte, an emulated servo chain, and a client for real ones.
 
-    from kinlab.dynamixel import Bus, Chain, MemoryPort, SimulatedClock
+from kinlab.dynamixel import Bus, Chain, MemoryPort, SimulatedClock
 
-    chain = Chain.of([("AX-12A", [1])])
-    bus = Bus(MemoryPort(chain, SimulatedClock()))
-    bus.write(1, "goal_position", "90deg")
+chain = Chain.of([("AX-12A", [1])])
+bus = Bus(MemoryPort(chain, SimulatedClock()))
+bus.write(1, "goal_position", "90deg")
 """
 
-from kinlab.dynamixel.bus import Bus, BusError, DamagedAnswer, Found, NoAnswer, Refused
+from kinlab.dynamixel.bus import Bus, BusError, DamagedAnswerError, Found, NoAnswerError, RefusedError
 from kinlab.dynamixel.chain import Chain, Faults, RealClock, SimulatedClock
 from kinlab.dynamixel.ports import Port, PortError, open_port
 from kinlab.dynamixel.ports.memory import MemoryPort
@@ -18,15 +18,15 @@ __all__ = [
     "BusError",
     "Chain",
     "ControlTable",
-    "DamagedAnswer",
+    "DamagedAnswerError",
     "Faults",
     "Found",
     "MemoryPort",
-    "NoAnswer",
+    "NoAnswerError",
     "Port",
     "PortError",
     "RealClock",
-    "Refused",
+    "RefusedError",
     "Register",
     "SimulatedClock",
     "load_table",

@@ -15,7 +15,9 @@ def parse_servo(text: str) -> tuple[str, list[int]]:
     """
     model, _, numbers = text.rpartition(":")
     if not model:
-        raise UsageError(f"'{text}' is no servo; write MODEL:ID, as in AX-12A:1 (models: {', '.join(models())})")
+        raise UsageError(
+            f"'{text}' is no servo; write MODEL:ID, as in AX-12A:1 (models: {', '.join(models())})"
+        )
     return load_table(model).model, parse_ids(numbers)
 
 
@@ -48,8 +50,11 @@ def modules_of(servos: list[tuple[str, list[int]]]) -> Modules:
     return modules
 
 
-def robot_modules(robot: str) -> Modules:
+def robot_modules(robot: str, file: str | None = None) -> Modules:
     """The modules of a robot's chain, in the order of the bus.
+
+    Args:
+        file: a user's own robots, besides those that ship.
 
     Raises:
         UsageError: no such robot, or its servos are not of Dynamixel models.
@@ -57,7 +62,7 @@ def robot_modules(robot: str) -> Modules:
     from kinlab.robots import load_robot
 
     by_model: list[tuple[str, list[int]]] = []
-    for servo in load_robot(robot).servos:
+    for servo in load_robot(robot, file).servos:
         if servo.id is None or not any(name.startswith(servo.model) for name in models()):
             raise UsageError(f"{robot} has {servo.model} servos, which are not on a Dynamixel bus")
         model = load_table(servo.model)

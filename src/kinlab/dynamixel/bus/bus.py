@@ -4,7 +4,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from types import TracebackType
 from typing import NamedTuple
 
-from kinlab.dynamixel.bus.errors import DamagedAnswer, NoAnswer, Refused
+from kinlab.dynamixel.bus.errors import DamagedAnswerError, NoAnswerError, RefusedError
 from kinlab.dynamixel.chain.chain import wire_time
 from kinlab.dynamixel.codec.checks import crc16
 from kinlab.dynamixel.codec.instructions import (
@@ -105,12 +105,12 @@ class Bus:
         """Ask one servo whether it is there.
 
         Raises:
-            NoAnswer: it is not.
+            NoAnswerError: it is not.
         """
         for protocol in self._protocols:
             try:
                 answer = self._ask(Packet(protocol, servo, 1), "PING", 3 if protocol == 2 else 0)
-            except NoAnswer:
+            except NoAnswerError:
                 if protocol == self._protocols[-1]:
                     raise
                 continue
@@ -121,7 +121,7 @@ class Bus:
                 found = Found(servo, 1, int.from_bytes(data[:2], "little"), data[2])
             self._known[servo] = found
             return found
-        raise NoAnswer(servo, "PING")
+        raise NoAnswerError(servo, "PING")
 
     def scan(self, ids: Iterable[int] = range(254)) -> list[Found]:
         """All servos that answer, in order of id. Protocol 2.0 is asked once, Protocol 1.0 id by id."""
@@ -141,7 +141,7 @@ class Bus:
                 if servo not in found:
                     try:
                         found[servo] = listener.ping(servo)
-                    except (NoAnswer, DamagedAnswer):
+                    except (NoAnswerError, DamagedAnswerError):
                         continue
         self._known.update(found)
         return [found[servo] for servo in sorted(found)]
@@ -149,6 +149,10 @@ class Bus:
     def known(self, servo: int) -> Found:
         """What a servo is; it is asked the first time."""
         return self._known.get(servo) or self.ping(servo)
+
+    def known_ids(self) -> list[int]:
+        """The ids of the servos that have been found so far."""
+        return sorted(self._known)
 
     def register(self, servo: int, name: str) -> Register:
         """A servo's register by name or address.
@@ -158,7 +162,9 @@ class Bus:
         """
         table = self.known(servo).table
         if table is None:
-            raise UsageError(f"servo {servo} is of {self.known(servo).model}, for which there is no control table")
+            raise UsageError(
+                f"servo {servo} is of {self.known(servo).model}, for which there is no control table"
+            )
         return table.find(name)
 
     # One servo.
@@ -170,6 +176,13 @@ class Bus:
             self.known(servo).protocol, servo, register.address, register.size, register.name
         )
         return from_ticks(register.decode(data), register, unit)
+
+    def read_block(self, servo: int, registers: Sequence[Register]) -> dict[str, int]:
+        """Several registers in one request, by name, in ticks; whatever stands between them is read as well."""
+        first = min(register.address for register in registers)
+        last = max(register.end for register in registers)
+        data = self._read_bytes(self.known(servo).protocol, servo, first, last - first, registers[0].name)
+        return {r.name: r.decode(data[r.address - first : r.end - first]) for r in registers}
 
     def write(self, servo: int, name: str, value: int | float | str, unit: str | None = None) -> None:
         """Set a register: to ticks, to an amount in `unit`, or as in "90deg"."""
@@ -231,11 +244,16 @@ class Bus:
     def sync_write(self, name: str, values: Mapping[int, int | float | str], unit: str | None = None) -> None:
         """Set the same register of many servos at once; nobody answers."""
         register = self._common(list(values), name)
-        rows = [{"id": s, "data": register.encode(to_ticks(v, register, unit))} for s, v in values.items()]
+        rows: list[dict[str, int | bytes]] = [
+            {"id": servo, "data": register.encode(to_ticks(value, register, unit))}
+            for servo, value in values.items()
+        ]
         head = {"address": register.address, "length": register.size}
         self._tell(self._protocol_of(values), "SYNC_WRITE", head, rows)
 
-    def bulk_write(self, values: Mapping[int, tuple[str, int | float | str]], unit: str | None = None) -> None:
+    def bulk_write(
+        self, values: Mapping[int, tuple[str, int | float | str]], unit: str | None = None
+    ) -> None:
         """Set one register of each servo at once; nobody answers."""
         rows: list[dict[str, int | bytes]] = []
         for servo, (name, value) in values.items():
@@ -255,7 +273,9 @@ class Bus:
     def _common(self, servos: Sequence[int], name: str) -> Register:
         registers = {(r.address, r.size): r for r in (self.register(servo, name) for servo in servos)}
         if len(registers) != 1:
-            raise UsageError(f"{name} does not stand at one address in all these servos; use bulk_read or bulk_write")
+            raise UsageError(
+                f"{name} does not stand at one address in all these servos; use bulk_read or bulk_write"
+            )
         return next(iter(registers.values()))
 
     def _packet(
@@ -272,14 +292,20 @@ class Bus:
         return Packet(protocol, servo, instruction.code, pack(instruction, head, rows))
 
     def _tell(
-        self, protocol: int, name: str, head: Mapping[str, int | bytes], rows: Sequence[Mapping[str, int | bytes]]
+        self,
+        protocol: int,
+        name: str,
+        head: Mapping[str, int | bytes],
+        rows: Sequence[Mapping[str, int | bytes]],
     ) -> None:
         self.port.send(encode(self._packet(protocol, BROADCAST, name, head, rows)))
 
     def _command(self, name: str, servo: int, head: Mapping[str, int | bytes]) -> None:
         self._ask(self._packet(self.known(servo).protocol, servo, name, head), name, 0)
 
-    def _write(self, instruction: str, servo: int, name: str, value: int | float | str, unit: str | None) -> None:
+    def _write(
+        self, instruction: str, servo: int, name: str, value: int | float | str, unit: str | None
+    ) -> None:
         register = self.register(servo, name)
         if not register.writable:
             raise UsageError(f"{register.name} can only be read")
@@ -293,7 +319,7 @@ class Bus:
         packet = self._packet(protocol, servo, "READ", {"address": address, "count": count})
         answer = self._ask(packet, subject, count)
         if len(answer.params) != count:
-            raise DamagedAnswer(servo, subject, answer.params)
+            raise DamagedAnswerError(servo, subject, answer.params)
         return answer.params
 
     def _ask(self, packet: Packet, subject: str, count: int) -> Packet:
@@ -306,7 +332,11 @@ class Bus:
                 if answer.error is not None and answer.id == packet.id:
                     self._judge(answer, subject)
                     return answer
-        raise DamagedAnswer(packet.id, subject, received) if received else NoAnswer(packet.id, subject)
+        raise (
+            DamagedAnswerError(packet.id, subject, received)
+            if received
+            else NoAnswerError(packet.id, subject)
+        )
 
     def _read_many(
         self,
@@ -333,7 +363,11 @@ class Bus:
         values = {}
         for servo, register in wanted.items():
             if servo not in answers:
-                raise DamagedAnswer(servo, register.name, received) if received else NoAnswer(servo, register.name)
+                raise (
+                    DamagedAnswerError(servo, register.name, received)
+                    if received
+                    else NoAnswerError(servo, register.name)
+                )
             self._judge(answers[servo], register.name)
             values[servo] = from_ticks(register.decode(answers[servo].params), register, unit)
         return values
@@ -375,7 +409,7 @@ class Bus:
         if names:
             self.alarms[answer.id] = names
         if error & ~state:
-            raise Refused(answer.id, subject, error, error_names(answer.protocol, error & ~state))
+            raise RefusedError(answer.id, subject, error, error_names(answer.protocol, error & ~state))
 
 
 def split_fast(frame: bytes, sizes: Mapping[int, int]) -> list[Packet]:

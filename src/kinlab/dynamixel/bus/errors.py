@@ -19,21 +19,21 @@ class BusError(KinlabError):
         self.cause = cause
 
 
-class NoAnswer(BusError):
+class NoAnswerError(BusError):
     """Nothing came back in time."""
 
     def __init__(self, servo: int, subject: str) -> None:
         super().__init__(servo, subject, "no answer (wrong id, baud rate or protocol, or no power?)")
 
 
-class DamagedAnswer(BusError):
+class DamagedAnswerError(BusError):
     """Bytes came back, but no intact packet of that servo."""
 
     def __init__(self, servo: int, subject: str, data: bytes) -> None:
         super().__init__(servo, subject, f"a damaged answer: {data.hex(' ').upper()}")
 
 
-class Refused(BusError):
+class RefusedError(BusError):
     """The servo answered that it did not do it.
 
     Attributes:

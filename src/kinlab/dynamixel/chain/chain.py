@@ -50,8 +50,10 @@ class Chain:
         self.take_census()
 
     @classmethod
-    def of(cls, modules: Iterable[tuple[str, list[int]]], baud: int = 1_000_000, byte_times: bool = True) -> "Chain":
-        """A chain of factory-fresh modules, given as model and ids: [("AX-12A", [1]), ("2XL430-W250", [2, 3])].
+    def of(
+        cls, modules: Iterable[tuple[str, list[int]]], baud: int = 1_000_000, byte_times: bool = True
+    ) -> "Chain":
+        """A chain of factory-fresh modules: [("AX-12A", [1]), ("2XL430-W250", [2, 3])].
 
         Raises:
             UsageError: an unknown model, an id that cannot be, or one that stands twice.
@@ -71,7 +73,7 @@ class Chain:
             self._by_id.setdefault(servo.id, []).append(servo)
         self._secondary = [servo for servo in self.servos if servo.secondary_id is not None]
         self.protocols = {servo.protocol for servo in self.servos}
-        self._changes = sum(map(EEPROM_WRITES, self.servos))
+        self._changes: int = sum(map(EEPROM_WRITES, self.servos))
 
     @property
     def eeprom_writes(self) -> int:
@@ -85,7 +87,9 @@ class Chain:
             UsageError: there is none; the ids that there are, are given.
         """
         if number not in self._by_id:
-            raise UsageError(f"no servo has the id {number}{suggestion(str(number), map(str, sorted(self._by_id)))}")
+            raise UsageError(
+                f"no servo has the id {number}{suggestion(str(number), map(str, sorted(self._by_id)))}"
+            )
         return self._by_id[number][0]
 
     def advance(self, now: float) -> None:
@@ -106,7 +110,7 @@ class Chain:
         """What the wire carries after an instruction whose last byte arrived at `now`.
 
         Args:
-            baud: the sender's speed in bps; servos set to another one do not hear it. None: any speed will do.
+            baud: the sender's speed in bps; servos set to another do not hear it. None: any will do.
         """
         instruction = BY_CODE[packet.protocol].get(packet.code)
         name = instruction.name if instruction else ""
@@ -198,7 +202,9 @@ class Chain:
             return [Burst(bursts[0].start, bursts[-1].end, b"".join(b.data for b in bursts))]
         return bursts
 
-    def _write_many(self, packet: Packet, name: str, parameters: Parameters, now: float, baud: int | None) -> None:
+    def _write_many(
+        self, packet: Packet, name: str, parameters: Parameters, now: float, baud: int | None
+    ) -> None:
         if name in ("SYNC_WRITE", "BULK_WRITE"):
             address = parameters.head.get("address", 0)
             for row in parameters.rows:

@@ -60,5 +60,3 @@ class Receiver:
         if faults.drop or faults.flip or faults.noise:
             return [burst._replace(data=faults.pass_on(burst.data)) for burst in bursts]
         return bursts
-
-

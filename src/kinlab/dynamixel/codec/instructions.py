@@ -1,4 +1,4 @@
-"""The one description of what a packet holds, byte for byte: building, parsing and explaining all follow it."""
+"""The one description of what a packet holds: building, parsing and explaining it all follow this."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
@@ -58,7 +58,7 @@ def _plain(width: int) -> tuple[Instruction, ...]:
 
 _ZERO = Slot("zero", 1, "always 0")
 _OPTION = Slot("option", 1)
-_ITEM_1 = (Slot("count", 1, "how many bytes to read"), Slot("id", 1), Slot("address", 1))
+BULK_ITEM_1 = (Slot("count", 1, "how many bytes to read"), Slot("id", 1), Slot("address", 1))
 _ITEM_2 = (Slot("id", 1), Slot("address", 2), Slot("count", 2, "how many bytes to read"))
 _SYNC_READ = (Slot("address", 2), Slot("count", 2, "how many bytes to read"))
 _ONE_ANSWER = "; all answers come in one packet"
@@ -66,13 +66,15 @@ _ONE_ANSWER = "; all answers come in one packet"
 PROTOCOL_1 = (
     *_plain(1),
     Instruction("FACTORY_RESET", 0x06, "set everything back to the factory's values"),
-    Instruction("BULK_READ", 0x92, "ask servos for bytes of different addresses", (_ZERO,), _ITEM_1),
+    Instruction("BULK_READ", 0x92, "ask servos for bytes of different addresses", (_ZERO,), BULK_ITEM_1),
 )
 
 PROTOCOL_2 = (
     *_plain(2),
     Instruction("FACTORY_RESET", 0x06, "set back to the factory's values", (_OPTION,)),
-    Instruction("CLEAR", 0x10, "forget the turns counted so far", (_OPTION, Slot("key", 4, "against accidents"))),
+    Instruction(
+        "CLEAR", 0x10, "forget the turns counted so far", (_OPTION, Slot("key", 4, "against accidents"))
+    ),
     Instruction(
         "CONTROL_TABLE_BACKUP",
         0x20,
@@ -81,7 +83,11 @@ PROTOCOL_2 = (
     ),
     Instruction("SYNC_READ", 0x82, "ask many servos for the same bytes", _SYNC_READ, (Slot("id", 1),)),
     Instruction(
-        "FAST_SYNC_READ", 0x8A, "ask many servos for the same bytes" + _ONE_ANSWER, _SYNC_READ, (Slot("id", 1),)
+        "FAST_SYNC_READ",
+        0x8A,
+        "ask many servos for the same bytes" + _ONE_ANSWER,
+        _SYNC_READ,
+        (Slot("id", 1),),
     ),
     Instruction("BULK_READ", 0x92, "ask servos for bytes of different addresses", (), _ITEM_2),
     Instruction("FAST_BULK_READ", 0x9A, "ask servos for different bytes" + _ONE_ANSWER, (), _ITEM_2),
@@ -90,7 +96,12 @@ PROTOCOL_2 = (
         0x93,
         "store bytes at different addresses of servos",
         (),
-        (Slot("id", 1), Slot("address", 2), Slot("length", 2, "how many bytes this servo gets"), Slot("data", None)),
+        (
+            Slot("id", 1),
+            Slot("address", 2),
+            Slot("length", 2, "how many bytes this servo gets"),
+            Slot("data", None),
+        ),
     ),
 )
 
@@ -98,7 +109,11 @@ BY_NAME = {1: {i.name: i for i in PROTOCOL_1}, 2: {i.name: i for i in PROTOCOL_2
 BY_CODE = {1: {i.code: i for i in PROTOCOL_1}, 2: {i.code: i for i in PROTOCOL_2}}
 
 OPTIONS = {
-    "FACTORY_RESET": {0xFF: "everything", 0x01: "everything but the ID", 0x02: "everything but ID and baud rate"},
+    "FACTORY_RESET": {
+        0xFF: "everything",
+        0x01: "everything but the ID",
+        0x02: "everything but ID and baud rate",
+    },
     "CLEAR": {0x01: "the turns of the present position"},
     "CONTROL_TABLE_BACKUP": {0x01: "store", 0x02: "restore"},
 }
@@ -150,7 +165,7 @@ def pack(
 
 
 def slots(instruction: Instruction, params: bytes) -> Iterator[tuple[Slot, int, bytes]]:
-    """Every parameter with its offset and bytes; the last may be cut short, and what is beyond has no slot."""
+    """Every parameter with its offset and bytes; the last may be cut short, what is beyond has no slot."""
     at = 0
     length: int | None = None
     row = instruction.head

@@ -35,10 +35,11 @@ class Port(Protocol):
         """Let go of the port."""
 
 
-def open_port(name: str, baud: int = 1_000_000) -> Port:
+def open_port(name: str, baud: int = 1_000_000, clock: Clock | None = None) -> Port:
     """The port called `name`.
 
     Args:
+        clock: for a chain in memory; None: a simulated one, for which waiting takes no time.
         name: a device ("/dev/ttyUSB0", "./ttyDXL", "COM3"), a TCP server ("localhost:5000"), or
             "emu:" and a robot or servos ("emu:krsri-hexapod", "emu:AX-12A:1,AX-12A:2") for a chain in memory.
 
@@ -51,7 +52,7 @@ def open_port(name: str, baud: int = 1_000_000) -> Port:
         from kinlab.dynamixel.outfit import chain_of
         from kinlab.dynamixel.ports.memory import MemoryPort
 
-        return MemoryPort(chain_of(name.removeprefix("emu:"), baud), SimulatedClock(), baud)
+        return MemoryPort(chain_of(name.removeprefix("emu:"), baud), clock or SimulatedClock(), baud)
     from kinlab.dynamixel.ports.serialport import SerialPort
 
     return SerialPort(name, baud)

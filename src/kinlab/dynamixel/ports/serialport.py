@@ -5,7 +5,7 @@ import time
 
 import serial
 
-from kinlab.dynamixel.chain import RealClock
+from kinlab.dynamixel.chain import Clock, RealClock
 from kinlab.dynamixel.ports import PortError
 
 
@@ -17,7 +17,7 @@ class SerialPort:
 
     def __init__(self, name: str, baud: int) -> None:
         self.name = name
-        self.clock = RealClock()
+        self.clock: Clock = RealClock()
         self._speed = baud
         url = f"socket://{name}" if re.fullmatch(r"[\w.-]+:\d+", name) else name
         try:

@@ -21,7 +21,9 @@ def build_servos(model: str, ids: list[int], baud: int, supply: Supply) -> list[
     """
     table = load_table(model)
     if len(ids) != table.axes:
-        raise UsageError(f"{table.model} has {table.axes} axis/axes, so it takes {table.axes} id(s), got {ids}")
+        raise UsageError(
+            f"{table.model} has {table.axes} axis/axes, so it takes {table.axes} id(s), got {ids}"
+        )
     kind = AxServo if table.find("id").address == 3 else XServo
     axes: list[Servo] = [kind(table, servo, supply) for servo in ids]
     for axis in axes:

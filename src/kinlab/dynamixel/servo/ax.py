@@ -41,6 +41,14 @@ class AxServo(Servo):
     def error_byte(self, error: int) -> int:
         return error | self.alarm_bits(self.alarms())
 
+    secondary_id = None
+
+    def heard(self) -> None:
+        """Nothing: it has no watchdog."""
+
+    def reads_in_turn(self, instruction: str) -> bool:
+        return False
+
     def start_ram(self) -> None:
         ticks = self._ticks()
         self.memory["goal_position"] = max(0, min(FULL, round(ticks)))

@@ -1,4 +1,4 @@
-"""What the firmware of every model does: power, memory, instructions, answers. The models differ in `ax` and `x`."""
+"""What the firmware of every model does; the families of models differ in `ax` and `x`."""
 
 import math
 from abc import ABC, abstractmethod
@@ -107,14 +107,18 @@ class Servo(ABC):
     def error_byte(self, error: int) -> int:
         """An answer's error byte: `error`, and what tells of alarms."""
 
+    @abstractmethod
     def heard(self) -> None:
         """Take note that the bus is alive."""
 
+    @abstractmethod
     def reads_in_turn(self, instruction: str) -> bool:
         """Whether it takes part in a read of many servos of that kind."""
-        return False
 
-    secondary_id: int | None = None
+    @property
+    @abstractmethod
+    def secondary_id(self) -> int | None:
+        """The second address, which is obeyed without an answer; None when there is none."""
 
     error_instruction: int  # what an unknown instruction brings
     error_access: int  # what an address that cannot be reached brings
@@ -162,7 +166,7 @@ class Servo(ABC):
         self.take_over_eeprom()
 
     def take_over_eeprom(self) -> None:
-        """Note what the EEPROM says about the bus and the alarms: asked for too often to be decoded each time."""
+        """Note what the EEPROM says about bus and alarms: it is needed too often to be decoded each time."""
         memory = self.memory
         self.baud = self.rate()
         self.protocol = self.spoken_protocol()

@@ -31,7 +31,7 @@ class Health:
         return self.strained >= OVERLOAD_TIME
 
     def go_on(self, torque: float, current: float, dt: float) -> None:
-        """Let `dt` seconds, a small part of the warming time, pass under that torque (N m) and current (A)."""
+        """Let `dt` seconds, few beside the warming time, pass under that torque (N m) and current (A)."""
         if torque >= self._bearable or torque <= -self._bearable:
             self.strained += dt
         elif self.strained and not self.overloaded:

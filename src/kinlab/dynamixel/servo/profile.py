@@ -29,7 +29,7 @@ class Profile:
         self.velocity = 0.0
 
     def go_to(self, goal: float, speed: float, acceleration: float) -> None:
-        """Aim at `goal` with at most `speed` (ticks/s, 0: at once) and `acceleration` (ticks/s2, 0: at once)."""
+        """Aim at `goal` with at most `speed` (ticks/s) and `acceleration` (ticks/s2); 0: at once."""
         self.goal = goal
         self._speed = speed
         self._acceleration = acceleration

@@ -1,4 +1,4 @@
-"""X series firmware: Protocol 2.0 (or 1.0), PID loops, profiles, indirect addresses, shutdown until reboot."""
+"""X series firmware: both protocols, PID loops, profiles, indirect addresses, shutdown until reboot."""
 
 import math
 from struct import pack_into
@@ -63,7 +63,6 @@ class XServo(Servo):
 
     @property
     def secondary_id(self) -> int | None:
-        """The second address, which is obeyed without an answer; None when switched off."""
         value = self.memory["secondary_id"]
         return value if value <= 252 else None
 
@@ -88,7 +87,9 @@ class XServo(Servo):
         for register, part in targets:
             if not register.writable:
                 return ACCESS
-            if register.area == "EEPROM" and (by_secondary or any(a.memory["torque_enable"] for a in self.module)):
+            if register.area == "EEPROM" and (
+                by_secondary or any(a.memory["torque_enable"] for a in self.module)
+            ):
                 return ACCESS
             error = self._check_value(register, register.decode(part))
             if error:
@@ -105,16 +106,18 @@ class XServo(Servo):
                 return 0 if low <= value <= high else error
             case "operating_mode" if value not in (VELOCITY, POSITION, EXTENDED, PWM):
                 return RANGE
-            case "drive_mode" if any(value >> bit & 1 for bit in range(8) if bit not in dict(register.values)):
+            case "drive_mode" if any(
+                value >> bit & 1 for bit in range(8) if bit not in dict(register.values)
+            ):
                 return RANGE
             case "id" if any(a.id == value for a in self.module if a is not self):
                 return LIMIT
             case "torque_enable" if value and memory["hardware_error_status"]:
                 return RESULT_FAIL
-        low, high = memory.limits(register)
-        if low is not None and value < low:
+        least, most = memory.limits(register)
+        if least is not None and value < least:
             return RANGE if register.low.lstrip("-").isdigit() else LIMIT
-        if high is not None and value > high:
+        if most is not None and value > most:
             return RANGE if register.high.isdigit() else LIMIT
         return 0
 
@@ -304,10 +307,10 @@ class XServo(Servo):
         """Turn the registers into what the control loop computes with."""
         memory = self.memory
         mode, enabled = memory["operating_mode"], bool(memory["torque_enable"])
-        if mode == POSITION and (enabled and not self._enabled or mode != self._mode):
+        if mode == POSITION and ((enabled and not self._enabled) or mode != self._mode):
             self._drop_turns()
         self._place_zero()
-        if enabled and not self._enabled or mode != self._mode:
+        if (enabled and not self._enabled) or mode != self._mode:
             self.profile.stop_at(self.position)
             self._integral = 0.0
             if not retarget:
@@ -355,8 +358,8 @@ class XServo(Servo):
         goal = float(self.memory["goal_position"])
         speed, ramp = self._profile
         if self._milliseconds and self._milliseconds[0]:
-            whole, part = self._milliseconds
-            part = min(part, whole / 2)
+            whole = self._milliseconds[0]
+            part = min(self._milliseconds[1], whole / 2)
             speed = abs(goal - self.profile.position) / (whole - part) * 1000
             ramp = speed / part * 1000 if part else 0.0
         self.profile.go_to(goal, speed, ramp)

@@ -1,4 +1,4 @@
-"""Control tables: what each address of a servo means. The tables themselves are the CSV files beside this module."""
+"""Control tables: what each address of a servo means. The tables are the CSV files beside this module."""
 
 import csv
 import re
@@ -54,7 +54,7 @@ class Register:
     def writable(self) -> bool:
         return self.access == "RW"
 
-    def decode(self, data: bytes) -> int:
+    def decode(self, data: bytes | bytearray) -> int:
         """The value in `data` (little endian), with its sign."""
         value = int.from_bytes(data, "little", signed=self.encoding == "two")
         if self.encoding == "bit10":
@@ -91,6 +91,23 @@ class Register:
             if number == value:
                 return f"{value} = {name}"
         return f"{value} = {self.physical(value):.5g} {self.unit}" if self.unit else str(value)
+
+    def as_json(self) -> dict[str, object]:
+        """As the command line prints it; limits and initial values as in the table."""
+        return {
+            "address": self.address,
+            "size": self.size,
+            "name": self.name,
+            "title": self.title,
+            "access": self.access,
+            "area": self.area,
+            "initial": self.initial,
+            "min": self.low,
+            "max": self.high,
+            "scale": self.scale,
+            "unit": self.unit,
+            "meaning": self.meaning,
+        }
 
     def headline(self) -> str:
         """The item in one line: "address 30: Goal Position, 2 bytes, 0.29 deg per tick"."""

@@ -1,0 +1,42 @@
+"""Answers on standard output: one JSON document, or lines that are coloured where a person reads them."""
+
+import json
+import os
+import sys
+from collections.abc import Iterable
+from typing import Any
+
+import typer
+
+ANSI = {
+    "arrow": "1",
+    "header": "90",
+    "id": "36",
+    "length": "34",
+    "instruction": "35",
+    "address": "33",
+    "data": "32",
+    "check": "94",
+    "good": "32",
+    "bad": "31",
+    "odd": "33",
+    "dim": "90",
+    "verb": "1",
+}
+
+
+def print_json(document: Any) -> None:
+    """One JSON document."""
+    typer.echo(json.dumps(document, indent=2, ensure_ascii=False))
+
+
+def print_lines(lines: Iterable[list[tuple[str, str]]]) -> None:
+    """Lines of (style, text); plain when piped, or with NO_COLOR."""
+    coloured = sys.stdout.isatty() and not os.environ.get("NO_COLOR") and os.environ.get("TERM") != "dumb"
+    for line in lines:
+        if coloured:
+            typer.echo(
+                "".join(f"\x1b[{ANSI[style]}m{text}\x1b[0m" if style else text for style, text in line)
+            )
+        else:
+            typer.echo("".join(text for _, text in line).rstrip())
