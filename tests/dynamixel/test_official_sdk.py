@@ -1,0 +1,193 @@
+"""ROBOTIS's own dynamixel-sdk, unmodified, takes the emulated chain for hardware."""
+
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import dynamixel_sdk as sdk
+import pytest
+
+OK = sdk.COMM_SUCCESS
+TORQUE, LED, GOAL_VELOCITY, PROFILE, GOAL, POSITION = 64, 65, 104, 112, 116, 132
+
+
+class Client:
+    """A port and packet handler of the SDK."""
+
+    def __init__(self, link: Path, protocol: float, baud: int) -> None:
+        self.port = sdk.PortHandler(str(link))
+        assert self.port.openPort()
+        assert self.port.setBaudRate(baud)
+        self.packets = sdk.PacketHandler(protocol)
+
+    def __getattr__(self, name: str) -> Callable[..., object]:
+        return lambda *arguments: getattr(self.packets, name)(self.port, *arguments)
+
+
+@pytest.fixture(params=[57600, 1_000_000, 4_000_000])
+def x(emulate: Callable[..., Path], request: pytest.FixtureRequest) -> Iterator[Client]:
+    """Five XL430 at different speeds."""
+    link = emulate("--servo", "XL430-W250:1-5", "--baud", str(request.param))
+    client = Client(link, 2.0, request.param)
+    yield client
+    client.port.closePort()
+
+
+@pytest.fixture(params=[57600, 1_000_000])
+def ax(emulate: Callable[..., Path], request: pytest.FixtureRequest) -> Iterator[Client]:
+    """Three AX-12A at different speeds."""
+    link = emulate("--servo", "AX-12A:1-3", "--baud", str(request.param))
+    client = Client(link, 1.0, request.param)
+    yield client
+    client.port.closePort()
+
+
+def until(read: Callable[[], object], wanted: Callable[[object], bool]) -> object:
+    """Read until the value is as wanted."""
+    end = time.monotonic() + 20
+    while not wanted(value := read()):
+        assert time.monotonic() < end, value
+    return value
+
+
+def test_protocol_2_whole_session(x: Client) -> None:
+    # Ping, one and all.
+    assert x.ping(1) == (1060, OK, 0)
+    assert x.ping(99)[1] == sdk.COMM_RX_TIMEOUT
+    found, result = x.broadcastPing()
+    assert result == OK
+    assert found == {i: [1060, 46] for i in range(1, 6)}
+
+    # Write and read 1, 2 and 4 bytes.
+    assert x.write1ByteTxRx(1, LED, 1) == (OK, 0)
+    assert x.read1ByteTxRx(1, LED) == (1, OK, 0)
+    assert x.write2ByteTxRx(1, 84, 800) == (OK, 0)
+    assert x.read2ByteTxRx(1, 84) == (800, OK, 0)
+    assert x.write4ByteTxRx(1, PROFILE, 300) == (OK, 0)
+    assert x.read4ByteTxRx(1, PROFILE) == (300, OK, 0)
+
+    # Errors come as errors.
+    assert x.write4ByteTxRx(1, GOAL, 5000) == (OK, 6)
+    assert x.write1ByteTxRx(1, POSITION, 5) == (OK, 7)
+
+    # It moves.
+    for servo in range(1, 6):
+        assert x.write1ByteTxRx(servo, TORQUE, 1) == (OK, 0)
+    assert x.write4ByteTxRx(2, GOAL, 2300) == (OK, 0)
+    until(lambda: x.read4ByteTxRx(2, POSITION)[0], lambda ticks: abs(int(str(ticks)) - 2300) < 10)
+
+    # Sync write and sync read, plain and fast.
+    write = sdk.GroupSyncWrite(x.port, x.packets, PROFILE, 4)
+    for servo in range(1, 6):
+        assert write.addParam(servo, (servo * 10).to_bytes(4, "little"))
+    assert write.txPacket() == OK
+    read = sdk.GroupSyncRead(x.port, x.packets, PROFILE, 4)
+    for servo in range(1, 6):
+        assert read.addParam(servo)
+    assert read.txRxPacket() == OK
+    assert [read.getData(servo, PROFILE, 4) for servo in range(1, 6)] == [10, 20, 30, 40, 50]
+    assert read.fastSyncRead() == OK
+    assert [read.getData(servo, PROFILE, 4) for servo in range(1, 6)] == [10, 20, 30, 40, 50]
+
+    # Bulk write and bulk read, plain and fast.
+    bulk_write = sdk.GroupBulkWrite(x.port, x.packets)
+    assert bulk_write.addParam(1, LED, 1, [0])
+    assert bulk_write.addParam(2, PROFILE, 4, list((77).to_bytes(4, "little")))
+    assert bulk_write.txPacket() == OK
+    bulk = sdk.GroupBulkRead(x.port, x.packets)
+    assert bulk.addParam(1, LED, 1)
+    assert bulk.addParam(2, PROFILE, 4)
+    for transfer in (bulk.txRxPacket, bulk.fastBulkRead):
+        assert transfer() == OK
+        assert (bulk.getData(1, LED, 1), bulk.getData(2, PROFILE, 4)) == (0, 77)
+
+    # Registered write waits for the action.
+    assert x.regWriteTxRx(3, LED, 1, [1]) == (OK, 0)
+    assert x.read1ByteTxRx(3, 69) == (1, OK, 0)
+    assert x.read1ByteTxRx(3, LED) == (0, OK, 0)
+    assert x.action(sdk.BROADCAST_ID) == OK
+    assert x.read1ByteTxRx(3, LED) == (1, OK, 0)
+
+    # Reboot: deaf for a moment, then the RAM is as at power-on.
+    assert x.reboot(2) == (OK, 0)
+    until(lambda: x.ping(2)[1], lambda result: result == OK)
+    assert x.read4ByteTxRx(2, PROFILE) == (0, OK, 0)
+    assert x.read1ByteTxRx(2, TORQUE) == (0, OK, 0)
+    assert x.clearMultiTurn(2) == (OK, 0)
+
+    # Factory reset that keeps id and baud rate, then one that keeps nothing.
+    assert x.write1ByteTxRx(5, TORQUE, 0) == (OK, 0)
+    assert x.write1ByteTxRx(5, 11, 1) == (OK, 0)
+    assert x.factoryReset(5, 2) == (OK, 0)
+    until(lambda: x.ping(5)[1], lambda result: result == OK)
+    assert x.read1ByteTxRx(5, 11) == (3, OK, 0)
+    assert x.write1ByteTxRx(1, TORQUE, 0) == (OK, 0)
+    assert x.factoryReset(1, 0xFF) == (OK, 0)
+    assert x.port.setBaudRate(57600)
+    until(lambda: x.ping(1)[1], lambda result: result == OK)
+
+
+def test_the_id_and_the_baud_rate_change_after_the_answer(x: Client) -> None:
+    assert x.write1ByteTxRx(4, 7, 40) == (OK, 0)
+    assert x.ping(40) == (1060, OK, 0)
+    assert x.ping(4)[1] == sdk.COMM_RX_TIMEOUT
+    assert x.write1ByteTxRx(40, 8, 4) == (OK, 0)
+    assert x.ping(40)[1] == sdk.COMM_RX_TIMEOUT
+    assert x.port.setBaudRate(2_000_000)
+    assert x.ping(40) == (1060, OK, 0)
+
+
+def test_protocol_1_whole_session(ax: Client) -> None:
+    assert ax.ping(1) == (12, OK, 0)
+    assert ax.ping(99)[1] == sdk.COMM_RX_TIMEOUT
+    assert ax.write1ByteTxRx(1, 25, 1) == (OK, 0)
+    assert ax.read1ByteTxRx(1, 25) == (1, OK, 0)
+    assert ax.write2ByteTxRx(1, 30, 700) == (OK, 0)
+    assert ax.read2ByteTxRx(1, 30) == (700, OK, 0)
+    until(lambda: ax.read2ByteTxRx(1, 36)[0], lambda ticks: abs(int(str(ticks)) - 700) < 10)
+    assert ax.read4ByteTxRx(1, 30)[1:] == (OK, 0)
+    assert ax.write2ByteTxRx(1, 30, 2000)[1] == sdk.ERRBIT_RANGE
+
+    write = sdk.GroupSyncWrite(ax.port, ax.packets, 30, 2)
+    for servo in (1, 2, 3):
+        assert write.addParam(servo, (500 + servo).to_bytes(2, "little"))
+    assert write.txPacket() == OK
+    assert [ax.read2ByteTxRx(servo, 30)[0] for servo in (1, 2, 3)] == [501, 502, 503]
+
+    assert ax.regWriteTxRx(2, 30, 2, [100, 0]) == (OK, 0)
+    assert ax.read2ByteTxRx(2, 30)[0] == 502
+    assert ax.action(sdk.BROADCAST_ID) == OK
+    assert ax.read2ByteTxRx(2, 30)[0] == 100
+
+    assert ax.factoryReset(3) == (OK, 0)
+    assert ax.port.setBaudRate(1_000_000)
+    assert ax.read1ByteTxRx(1, 3)[1] in (OK, sdk.COMM_RX_CORRUPT, sdk.COMM_RX_TIMEOUT)
+
+
+def test_another_speed_is_silence(emulate: Callable[..., Path]) -> None:
+    client = Client(emulate("--servo", "XL430-W250:1", "--baud", "1000000"), 2.0, 57600)
+    assert client.ping(1)[1] == sdk.COMM_RX_TIMEOUT
+    assert client.port.setBaudRate(1_000_000)
+    assert client.ping(1) == (1060, OK, 0)
+
+
+def test_a_chain_with_both_protocols(emulate: Callable[..., Path]) -> None:
+    link = emulate("--servo", "AX-12A:1", "--servo", "2XL430-W250:2,3")
+    old, new = Client(link, 1.0, 1_000_000), Client(link, 2.0, 1_000_000)
+    assert old.ping(1) == (12, OK, 0)
+    assert new.ping(2) == (1090, OK, 0)
+    assert new.ping(3) == (1090, OK, 0)
+    assert old.ping(2)[1] == sdk.COMM_RX_TIMEOUT
+
+
+@pytest.mark.parametrize("value", [-131073, -1, 0x00FDFFFF])
+def test_data_that_look_like_a_header_arrive(emulate: Callable[..., Path], value: int) -> None:
+    """The SDK for Python sends FF FF FD without stuffing; a length-driven parser takes it all the same."""
+    client = Client(emulate("--servo", "XL430-W250:1"), 2.0, 1_000_000)
+    assert client.write1ByteTxRx(1, 11, 4) == (OK, 0)
+    assert client.write4ByteTxRx(1, 20, 0) == (OK, 0)
+    raw = value & 0xFFFFFFFF
+    expected = 0 if abs(value) < 1048576 else 4
+    assert client.write4ByteTxRx(1, GOAL, raw) == (OK, expected)
+    if not expected:
+        assert client.read4ByteTxRx(1, GOAL) == (raw, OK, 0)
