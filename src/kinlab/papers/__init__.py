@@ -1,0 +1,1 @@
+"""What the papers print, evaluated as it stands, beside what is true."""
