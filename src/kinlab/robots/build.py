@@ -53,9 +53,11 @@ def build_servo_model(name: str, spec: ServoModelSpec) -> ServoModel:
     low, high = spec.positions
     if low >= high:
         raise SpecError(("positions",), f"the range is inside out: {low} is not below {high}")
-    if spec.deg_per_step <= 0:
-        raise SpecError(("deg_per_step",), f"expected a positive angle, got {spec.deg_per_step:g}")
-    return ServoModel(name, spec.protocol, low, high, spec.deg_per_step, _source(spec, ()))
+    for key in ("deg_per_step", "torque_nm", "speed_rpm"):
+        if getattr(spec, key) <= 0:
+            raise SpecError((key,), f"expected a positive number, got {getattr(spec, key):g}")
+    speed = spec.speed_rpm * 2 * np.pi / 60
+    return ServoModel(name, spec.protocol, low, high, spec.deg_per_step, spec.torque_nm, speed, _source(spec, ()))
 
 
 def build_robot(name: str, spec: RobotSpec, models: dict[str, ServoModel]) -> Robot:

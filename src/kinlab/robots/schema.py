@@ -41,6 +41,8 @@ class ServoModelSpec(Sourced):
     protocol: Literal["1.0", "2.0", "pwm"]
     positions: tuple[int, int]
     deg_per_step: float
+    torque_nm: float
+    speed_rpm: float
 
 
 class Mounting(Sourced):

@@ -18,6 +18,8 @@ class ServoModel:
         protocol: "1.0" or "2.0" (Dynamixel), or "pwm".
         lowest, highest: the command range, in ticks (Dynamixel) or microseconds (PWM).
         deg_per_step: the angle of one tick or microsecond.
+        torque: stall torque, in N m.
+        speed: without load, in rad/s.
         source: where these figures come from.
     """
 
@@ -26,6 +28,8 @@ class ServoModel:
     lowest: int
     highest: int
     deg_per_step: float
+    torque: float
+    speed: float
     source: Provenance
 
     @property
