@@ -4,7 +4,7 @@ A dot is as wide as it is high on a terminal whose cells are twice as high as wi
 serves both directions and nothing looks stretched.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 
 _DOTS = ((0x01, 0x08), (0x02, 0x10), (0x04, 0x20), (0x40, 0x80))
 _ASCII_LINE = "*"
@@ -44,10 +44,15 @@ class Canvas:
             if not dashed or i % 6 < 3:
                 self._set(round(x0 + (x1 - x0) * i / steps), round(y0 + (y1 - y0) * i / steps), role)
 
-    def dot(self, point: Point, role: str) -> None:
-        """A single dot."""
-        x, y = self._dot(point)
-        self._set(round(x), round(y), role)
+    def fill(self, inside: Callable[[float, float], bool], role: str) -> None:
+        """Every dot whose place (x, y) is `inside`."""
+        for y in range(4 * self.rows):
+            for x in range(2 * self.columns):
+                if inside(
+                    (x - self.columns) * self._per_dot + self._centre[0],
+                    (2 * self.rows - y) * self._per_dot + self._centre[1],
+                ):
+                    self._set(x, y, role)
 
     def mark(self, point: Point, char: str, role: str) -> None:
         """One character at a place, over any line."""
@@ -61,10 +66,17 @@ class Canvas:
         if not cell:
             return
         row, column = cell
-        places = [(row, column + 2), (row, column - 1 - len(text)), (row - 1, column + 1), (row + 1, column + 1)]
+        places = [
+            (row, column + 2),
+            (row, column - 1 - len(text)),
+            (row - 1, column + 1),
+            (row + 1, column + 1),
+        ]
         for r, c in places:
             inside = 0 <= r < self.rows and 0 <= c and c + len(text) <= self.columns
-            if inside and not any((r, c + i) in self._chars or self._bits[r][c + i] for i in range(len(text))):
+            if inside and not any(
+                (r, c + i) in self._chars or self._bits[r][c + i] for i in range(len(text))
+            ):
                 for i, char in enumerate(text):
                     self._chars[r, c + i], self._roles[r, c + i] = char, role
                 return

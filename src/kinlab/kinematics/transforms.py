@@ -37,9 +37,7 @@ def rotation_to_rpy(R: ArrayLike) -> Array:
     gimbal = horizontal < 1e-12
     roll = np.where(gimbal, 0.0, np.arctan2(R[..., 2, 1], R[..., 2, 2]))
     pitch = np.arctan2(-R[..., 2, 0], horizontal)
-    yaw = np.where(
-        gimbal, np.arctan2(-R[..., 0, 1], R[..., 1, 1]), np.arctan2(R[..., 1, 0], R[..., 0, 0])
-    )
+    yaw = np.where(gimbal, np.arctan2(-R[..., 0, 1], R[..., 1, 1]), np.arctan2(R[..., 1, 0], R[..., 0, 0]))
     return np.stack([roll, pitch, yaw], axis=-1)
 
 

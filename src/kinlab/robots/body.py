@@ -1,6 +1,7 @@
 """Every leg's joints for a pose of the body over feet that stay where they are."""
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -11,6 +12,8 @@ from kinlab.kinematics.leg import leg_ik
 from kinlab.kinematics.transforms import Array, apply, rpy_to_rotation
 from kinlab.robots.inverse import LIMIT_SLACK, inverse_kinematics
 from kinlab.robots.model import Robot
+from kinlab.robots.report import angles_deg, read_servos, solve_target
+from kinlab.units import finite
 
 
 @dataclass(frozen=True, repr=False)
@@ -94,3 +97,50 @@ def legs_ik(robot: Robot, feet: ArrayLike, turned: ArrayLike | None = None) -> B
     return BodyPose(
         names, feet, np.stack([f.q for f in found], axis=-2), np.stack([f.reachable for f in found], axis=-1)
     )
+
+
+@dataclass(frozen=True)
+class Stand:
+    """What `kinlab body` shows: the robot, the body's displacement (3,) in metres and rpy (3,) in rad, the legs."""
+
+    robot: Robot
+    xyz: Array
+    rpy: Array
+    pose: BodyPose
+
+    def to_json(self) -> dict[str, Any]:
+        """Feet in mm in the moved body's frame, angles in deg, the servos' commands."""
+        legs = {}
+        for i, leg in enumerate(self.robot.legs):
+            reachable = bool(self.pose.reachable[i])
+            q = self.pose.q[i]
+            servos = read_servos(leg, q)[0] if reachable else {}
+            legs[leg.name] = {
+                "foot_mm": [round(float(v), 9) + 0.0 for v in self.pose.feet[i] * 1000],
+                "reachable": reachable,
+                "angles_deg": angles_deg(leg, q) if reachable else None,
+                "commands": {name: servo.command for name, servo in servos.items()},
+            }
+            if not reachable:
+                legs[leg.name]["reason"] = solve_target(
+                    self.robot, leg, self.pose.feet[i], frame="body"
+                ).reason
+        return {
+            "robot": self.robot.name,
+            "xyz_mm": (self.xyz * 1000).tolist(),
+            "rpy_deg": np.degrees(self.rpy).tolist(),
+            "reachable": bool(self.pose.reachable.all()),
+            "legs": legs,
+        }
+
+
+def stand(robot: Robot, xyz_mm: ArrayLike, rpy_deg: ArrayLike) -> Stand:
+    """The legs for one pose of the body, as people type it: millimetres and degrees.
+
+    Raises:
+        UsageError: numbers that are not finite, or a robot without legs.
+    """
+    finite(xyz_mm, "a displacement's numbers")
+    finite(rpy_deg, "angles")
+    xyz, rpy = np.asarray(xyz_mm, float) / 1000, np.radians(rpy_deg)
+    return Stand(robot, xyz, rpy, body_pose(robot, xyz, rpy))

@@ -9,7 +9,13 @@ from kinlab.robots.model import Limb
 
 
 def draw_limb(
-    limb: Limb, q: ArrayLike, target: ArrayLike | None = None, *, columns: int = 36, rows: int = 11, ascii_only: bool = False
+    limb: Limb,
+    q: ArrayLike,
+    target: ArrayLike | None = None,
+    *,
+    columns: int = 36,
+    rows: int = 11,
+    ascii_only: bool = False,
 ) -> tuple[Canvas, Canvas]:
     """The side view (along the limb's plane, z up) and the top view (x right, y up) of a pose.
 
@@ -52,7 +58,10 @@ def _draw(canvas: Canvas, limb: Limb, points: list[Point], target: Point | None)
     for point in points[:-1]:
         canvas.mark(point, joint, "joint")
     canvas.mark(points[-1], foot, "tip")
-    if target is not None and max(abs(target[0] - points[-1][0]), abs(target[1] - points[-1][1])) > canvas.cell_width:
+    if (
+        target is not None
+        and max(abs(target[0] - points[-1][0]), abs(target[1] - points[-1][1])) > canvas.cell_width
+    ):
         canvas.mark(target, cross, "target")
     for i, name in enumerate(limb.joint_names):
         if any(limb.joints[i].link):

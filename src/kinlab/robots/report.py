@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from kinlab.kinematics import manipulability, numeric
+from kinlab.kinematics import dh, manipulability, numeric
 from kinlab.kinematics.transforms import Array, rpy_to_rotation
 from kinlab.names import resolve
 from kinlab.robots.inverse import LIMIT_SLACK, fit_limits, inverse_kinematics, nearest
@@ -104,7 +104,7 @@ class TargetReport:
 
     def place_mm(self, point: Array) -> list[float]:
         """A point of the limb frame (3,), in metres, as millimetres in the frame shown."""
-        return [round(float(v), 9) + 0.0 for v in self.limb.from_limb(point, self.frame) * 1000]
+        return _place_mm(self.limb, point, self.frame)
 
     def to_json(self) -> dict[str, Any]:
         """The contract of `kinlab ik --json`, without `as_printed`."""
@@ -138,6 +138,11 @@ class TargetReport:
             "quantised_fk_mm": None if pose.quantised is None else self.place_mm(pose.quantised),
             "quantised_error_mm": None if pose.quantised_error_m is None else pose.quantised_error_m * 1000,
         }
+
+
+def _place_mm(limb: Limb, point: Array, frame: str) -> list[float]:
+    # A picometre is beyond what doubles hold of a leg; rounding there keeps 75.00000000000001 out of sight.
+    return [round(float(v), 9) + 0.0 for v in limb.from_limb(point, frame) * 1000]
 
 
 def attempt_json(limb: Limb, attempt: numeric.Solution) -> dict[str, Any]:
@@ -221,9 +226,13 @@ def _pose(limb: Limb, name: str, q: Array, target: Array) -> PoseReport:
     beyond = []
     for i, joint in enumerate(limb.joint_names):
         if q[i] < lower[i] - LIMIT_SLACK:
-            beyond.append(f"{joint} {np.degrees(q[i]):.2f} deg is below its limit of {np.degrees(lower[i]):.1f}")
+            beyond.append(
+                f"{joint} {np.degrees(q[i]):.2f} deg is below its limit of {np.degrees(lower[i]):.1f}"
+            )
         elif q[i] > upper[i] + LIMIT_SLACK:
-            beyond.append(f"{joint} {np.degrees(q[i]):.2f} deg is above its limit of {np.degrees(upper[i]):.1f}")
+            beyond.append(
+                f"{joint} {np.degrees(q[i]):.2f} deg is above its limit of {np.degrees(upper[i]):.1f}"
+            )
     servos, quantised = read_servos(limb, q)
     error = None if quantised is None else float(np.linalg.norm(quantised - target))
     return PoseReport(
@@ -251,13 +260,64 @@ def read_servos(limb: Limb, q: Array) -> tuple[dict[str, ServoReading], Array | 
 
 def _reason(limb: Limb, target: Array, poses: tuple[PoseReport, ...], exists: Array) -> str:
     if poses:
-        return "every solution breaks a limit: " + "; ".join(f"{p.name}: {', '.join(p.beyond)}" for p in poses)
+        return "every solution breaks a limit: " + "; ".join(
+            f"{p.name}: {', '.join(p.beyond)}" for p in poses
+        )
     if exists:
         return ""
     distance, length = np.linalg.norm(target) * 1000, np.linalg.norm(limb.links, axis=1).sum() * 1000
     if distance > length:
         return f"out of reach: {distance:.1f} mm from the first joint, and the stretched limb is {length:.1f} mm long"
     return "out of reach: no angles of the joints bring the tip there"
+
+
+@dataclass(frozen=True)
+class MethodComparison:
+    """One target through every numeric method, beside the closed form.
+
+    Attributes:
+        robot, limb, frame, target: as in TargetReport.
+        closed: the closed form's pose, or None.
+        no_closed_form: why there is none; empty where there is.
+        runs: one of each method, all from the middle of the joints' limits.
+    """
+
+    robot: Robot
+    limb: Limb
+    frame: str
+    target: Array
+    closed: PoseReport | None
+    no_closed_form: str
+    runs: tuple[numeric.Solution, ...]
+
+    def place_mm(self, point: Array) -> list[float]:
+        """A point of the limb frame (3,), in metres, as millimetres in the frame shown."""
+        return _place_mm(self.limb, point, self.frame)
+
+    def to_json(self) -> dict[str, Any]:
+        """The runs with their traces."""
+        return {
+            "robot": self.robot.name,
+            "limb": self.limb.name,
+            "frame": self.frame,
+            "target_mm": self.place_mm(self.target),
+            "closed_form": None if self.closed is None else angles_deg(self.limb, self.closed.q),
+            "methods": [attempt_json(self.limb, run) for run in self.runs],
+        }
+
+
+def compare_methods(
+    robot: Robot, limb: Limb, target: ArrayLike, *, frame: str = "limb", rpy: ArrayLike | None = None
+) -> MethodComparison:
+    """One target (3,), in metres and in `frame`, through every numeric method; arguments as in `solve_target`."""
+    exact = solve_target(robot, limb, target, frame=frame, rpy=rpy)
+    runs = tuple(attempt_target(limb, exact.target, name, exact.rotation) for name in numeric.METHODS)
+    closed, why = None, exact.reason
+    if limb.closed_form is None:
+        why = "this chain has none"
+    elif exact.chosen is not None:
+        closed = exact.poses[exact.chosen]
+    return MethodComparison(robot, limb, exact.frame, exact.target, closed, why, runs)
 
 
 @dataclass(frozen=True)
@@ -291,6 +351,32 @@ class PoseOfTip:
     def outside(self) -> tuple[str, ...]:
         """What breaks a limit, in words."""
         return _pose(self.limb, "", self.q, np.zeros(3)).beyond
+
+    def dh_json(self) -> dict[str, Any]:
+        """The limb's Denavit-Hartenberg parameters, with the transforms before and after them, in m."""
+        found = dh.from_chain(self.limb.axes, self.limb.links)
+        rows = zip(
+            self.limb.joint_names,
+            np.degrees(found.theta),
+            found.d,
+            found.a,
+            np.degrees(found.alpha),
+            strict=True,
+        )
+        return {
+            "joints": [
+                {
+                    "joint": n,
+                    "theta_deg": float(t),
+                    "d_mm": d * 1000 + 0.0,
+                    "a_mm": a * 1000 + 0.0,
+                    "alpha_deg": float(al),
+                }
+                for n, t, d, a, al in rows
+            ],
+            "base": (found.base + 0.0).tolist(),
+            "tool": (found.tool + 0.0).tolist(),
+        }
 
     def to_json(self, *, jacobian: bool = False) -> dict[str, Any]:
         """The contract of `kinlab fk --json`."""
