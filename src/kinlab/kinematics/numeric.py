@@ -93,6 +93,8 @@ def resolved_motion_rate(problem: Problem, q: Array, e: Array, memory: dict[str,
     below a bound. Where J is not square its pseudo-inverse J^T (J J^T)^-1 stands in (3.19).
     """
     J = problem.jacobian(q)
+    if J.shape[0] > J.shape[1]:
+        raise Stop(f"the Jacobian has no inverse: {J.shape[1]} joints cannot follow {J.shape[0]} coordinates")
     try:
         inverse = np.linalg.inv(J) if J.shape[0] == J.shape[1] else J.T @ np.linalg.inv(J @ J.T)
     except np.linalg.LinAlgError:
@@ -107,13 +109,12 @@ def resolved_motion_rate(problem: Problem, q: Array, e: Array, memory: dict[str,
 
 def damped_least_squares(problem: Problem, q: Array, e: Array, memory: dict[str, float]) -> tuple[Array, str]:
     """dq = J^T (J J^T + k I)^-1 e, with damping k only near singularities (Nakamura and Hanafusa 1986)."""
-    J = problem.jacobian(q)
-    smallest = np.linalg.svd(J, compute_uv=False)[-1]
+    U, s, Vt = np.linalg.svd(problem.jacobian(q), full_matrices=False)
     bound = SINGULAR * problem.length
     damping = 0.0
-    if smallest < bound:
-        damping = (bound**2) * (1 - (smallest / bound) ** 2)
-    dq = J.T @ np.linalg.solve(J @ J.T + damping * np.eye(len(e)), e)
+    if s[-1] < bound:
+        damping = (bound**2) * (1 - (s[-1] / bound) ** 2)
+    dq = Vt.T @ (s / (s * s + damping) * (U.T @ e))
     return q + dq, f"damped, k = {damping:.2e} m2" if damping else ""
 
 
@@ -190,6 +191,8 @@ METHODS: dict[str, Method] = {
 }
 
 
+# A target too large to square is a stated failure, and no reason to warn.
+@np.errstate(over="ignore", invalid="ignore")
 def solve(
     axes: ArrayLike,
     links: ArrayLike,
@@ -222,7 +225,8 @@ def solve(
     residual = float(np.linalg.norm(e))
     trace = [Step(q, residual, "start")]
     memory: dict[str, float] = {}
-    best_ago, best, reason = 0, residual, ""
+    best_ago, best = 0, residual
+    reason = "" if np.isfinite(residual) else "the target or the start is not finite"
     while residual > tolerance_m and not reason:
         if len(trace) > max_iterations:
             reason = f"not there after {max_iterations} iterations"

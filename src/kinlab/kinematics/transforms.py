@@ -35,14 +35,19 @@ def rotation_to_rpy(R: ArrayLike) -> Array:
     R = np.asarray(R, dtype=float)
     horizontal = np.hypot(R[..., 0, 0], R[..., 1, 0])
     gimbal = horizontal < 1e-12
-    roll = np.where(gimbal, 0.0, np.arctan2(R[..., 2, 1], R[..., 2, 2]))
     pitch = np.arctan2(-R[..., 2, 0], horizontal)
     yaw = np.where(gimbal, np.arctan2(-R[..., 0, 1], R[..., 1, 1]), np.arctan2(R[..., 1, 0], R[..., 0, 0]))
+    # The roll with this very yaw taken out: near the gimbal both are ill-determined, and only angles
+    # that belong together give the rotation back.
+    sine, cosine = np.sin(yaw), np.cos(yaw)
+    roll = np.arctan2(
+        sine * R[..., 0, 2] - cosine * R[..., 1, 2], cosine * R[..., 1, 1] - sine * R[..., 0, 1]
+    )
     return np.stack([roll, pitch, yaw], axis=-1)
 
 
 def rotation_vector(R: ArrayLike) -> Array:
-    """The axis times the angle (..., 3), in rad, of `R` (..., 3, 3); exact near 0, stable near pi."""
+    """The axis times the angle (..., 3), in rad, of `R` (..., 3, 3); exact near 0 and near pi."""
     R = np.asarray(R, dtype=float)
     skew = np.stack(
         [R[..., 2, 1] - R[..., 1, 2], R[..., 0, 2] - R[..., 2, 0], R[..., 1, 0] - R[..., 0, 1]], axis=-1
@@ -50,17 +55,15 @@ def rotation_vector(R: ArrayLike) -> Array:
     sine = np.linalg.norm(skew, axis=-1) / 2
     cosine = (np.trace(R, axis1=-2, axis2=-1) - 1) / 2
     angle = np.arctan2(sine, cosine)
-    # Near half a turn the skew part vanishes; the symmetric part R + I = 2 a a^T still holds the axis.
-    symmetric = (R + np.swapaxes(R, -1, -2)) / 2 + np.eye(3)
-    longest = np.argmax(np.einsum("...ii->...i", symmetric), axis=-1)
-    column = np.take_along_axis(symmetric, longest[..., None, None], axis=-1)[..., 0]
-    column = column / np.linalg.norm(column, axis=-1, keepdims=True)
-    sign = np.where(np.sum(column * skew, axis=-1, keepdims=True) < 0, -1.0, 1.0)
-    near_pi = ((cosine < 0) & (sine < 1e-6))[..., None]
-    small = (sine < 1e-9)[..., None]
-    scale = np.divide(angle, 2 * sine, out=np.full_like(angle, 0.5), where=sine > 1e-9)
-    ordinary = np.where(small, skew / 2, skew * scale[..., None])
-    return np.where(near_pi, sign * column * angle[..., None], ordinary)
+    # Towards half a turn the skew part vanishes, but the symmetric part, less cos I, is (1 - cos) a a^T.
+    outer = (R + np.swapaxes(R, -1, -2)) / 2 - cosine[..., None, None] * np.eye(3)
+    longest = np.argmax(np.einsum("...ii->...i", outer), axis=-1)
+    column = np.take_along_axis(outer, longest[..., None, None], axis=-1)[..., 0]
+    column *= np.where(np.sum(column * skew, axis=-1, keepdims=True) < 0, -1.0, 1.0)
+    norm = np.linalg.norm(column, axis=-1)
+    obtuse = np.divide(angle, norm, out=np.zeros_like(angle), where=norm > 0)[..., None] * column
+    acute = np.divide(angle, 2 * sine, out=np.full_like(angle, 0.5), where=sine > 1e-9)[..., None] * skew
+    return np.where(cosine[..., None] < 0, obtuse, acute)
 
 
 def homogeneous(R: ArrayLike, p: ArrayLike) -> Array:

@@ -10,12 +10,16 @@ from kinlab.kinematics import chain, numeric
 from kinlab.kinematics.blocks import blocks
 from kinlab.kinematics.transforms import Array, homogeneous, wrap
 from kinlab.robots.model import Limb
+from kinlab.units import finite
 
 # Iterated solutions (limbs without a closed form) are polished to this residual, in metres.
 POLISHED_M = 1e-13
 STARTS = 12
-# A solution this far (rad) outside a limit is on it.
-LIMIT_SLACK = 1e-9
+# A solution this far (rad) outside a limit is on it: where a limb is stretched or folded, the rounding
+# of a target's last digit turns the joints by up to about 1e-7.
+LIMIT_SLACK = 2e-7
+# Lengths of a limb, see `nearest`.
+FAR = 1e9
 
 
 @dataclass(frozen=True, repr=False)
@@ -49,6 +53,8 @@ class Inverse:
         return f"<Inverse: {self.names[int(self.chosen)]}, [{angles}] deg>"
 
 
+# Numbers too large to square are out of reach like any other, and no reason to warn.
+@np.errstate(over="ignore", invalid="ignore")
 def inverse_kinematics(limb: Limb, target: ArrayLike, rotation: ArrayLike | None = None) -> Inverse:
     """All joint angles that bring the tip of `limb` to `target` (..., 3), metres, limb frame.
 
@@ -138,8 +144,15 @@ def nearest(limb: Limb, target: ArrayLike) -> Array:
 
     The attitude is left free. Damped Newton steps on the squared distance with the exact second
     derivatives, joints held at a limit that they press against, from the best of many starts.
+
+    Raises:
+        UsageError: a target that is not finite.
     """
     target = np.asarray(target, float)
+    finite(target, "a target")
+    # Further out only the direction counts, to the last digit.
+    far = FAR * float(np.linalg.norm(limb.links, axis=1).sum())
+    target = target * (far / max(far, float(np.abs(target).max())))
     lower, upper = limb.limits
     n = len(lower)
     rng = np.random.default_rng(0)
@@ -158,9 +171,9 @@ def nearest(limb: Limb, target: ArrayLike) -> Array:
 def _descend(limb: Limb, target: Array, q: Array) -> tuple[float, Array]:
     lower, upper = limb.limits
     damping = 1e-4
-    gap = target - chain.fk(limb.axes, limb.links, q)[:3, 3]
-    cost = float(gap @ gap)
+    tip = chain.fk(limb.axes, limb.links, q)[:3, 3]
     for _ in range(100):
+        gap = target - tip
         J = chain.jacobian(limb.axes, limb.links, q)[:3]
         gradient = -J.T @ gap
         H = J.T @ J - np.einsum("i,ijk->jk", gap, chain.position_hessian(limb.axes, limb.links, q))
@@ -173,15 +186,15 @@ def _descend(limb: Limb, target: Array, q: Array) -> tuple[float, Array]:
         along = vectors.T @ gradient[free]
         step[free] = -vectors @ (along / (np.abs(values) + damping * scale))
         new = np.clip(q + step, lower, upper)
-        new_gap = target - chain.fk(limb.axes, limb.links, new)[:3, 3]
-        new_cost = float(new_gap @ new_gap)
-        if new_cost < cost:
+        new_tip = chain.fk(limb.axes, limb.links, new)[:3, 3]
+        # The difference of the squared distances, without the digits that far targets would cost it.
+        if (new_tip - tip) @ (new_tip + tip - 2 * target) < 0:
             done = np.abs(new - q).max() < 1e-14
-            q, gap, cost, damping = new, new_gap, new_cost, max(damping / 10, 1e-14)
+            q, tip, damping = new, new_tip, max(damping / 10, 1e-14)
             if done:
                 break
         else:
             damping *= 10
             if damping > 1e12:
                 break
-    return cost, q
+    return float(np.linalg.norm(target - tip)), q
