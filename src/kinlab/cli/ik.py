@@ -71,7 +71,8 @@ def ik(
     machine = load_robot(robot, robots)
     which = machine.limb(limb)
     point = to_metres(target, unit)
-    attitude = None if rpy is None and yaw is None else np.radians(rpy or (0.0, 0.0, yaw))
+    turned = (0.0, 0.0, yaw) if yaw is not None else rpy
+    attitude = None if turned is None else np.radians(turned)
     if compare:
         report = compare_methods(machine, which, point, frame=frame, rpy=attitude)
         if json:

@@ -76,7 +76,7 @@ def inverse_kinematics(limb: Limb, target: ArrayLike, rotation: ArrayLike | None
     R = np.eye(3) if rotation is None else np.asarray(rotation, float)
     lead = np.broadcast_shapes(target.shape[:-1], R.shape[:-2] if posed else ())
     target = np.broadcast_to(target, (*lead, 3)).reshape(-1, 3)
-    R = np.broadcast_to(R, (*lead, 3, 3)).reshape(-1, 3, 3) if posed else None
+    attitudes = np.broadcast_to(R, (*lead, 3, 3)).reshape(-1, 3, 3) if posed else None
 
     form = limb.closed_form
     names = form.names if form else tuple(f"solution {i + 1}" for i in range(STARTS))
@@ -87,7 +87,7 @@ def inverse_kinematics(limb: Limb, target: ArrayLike, rotation: ArrayLike | None
     within = np.zeros((count, len(names)), dtype=bool)
     chosen = np.empty(count, dtype=int)
     for rows in blocks(count):
-        R_rows = None if R is None else R[rows]
+        R_rows = None if attitudes is None else attitudes[rows]
         if form is None:
             found, exists[rows] = _iterate(limb, target[rows], R_rows)
         elif form.needs_pose:
