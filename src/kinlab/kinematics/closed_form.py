@@ -47,7 +47,9 @@ class ClosedForm:
             return shoulder_arm.shoulder_arm_ik(target @ self.to_model.T, *self.lengths)
         q = np.empty((*target.shape[:-1], len(self.names), 3))
         reachable = np.zeros(target.shape[:-1], dtype=bool)
-        for i, (backwards, knee_up) in enumerate([(False, True), (False, False), (True, True), (True, False)]):
+        for i, (backwards, knee_up) in enumerate(
+            [(False, True), (False, False), (True, True), (True, False)]
+        ):
             c, f, t = self.lengths
             q[..., i, :], one = leg_ik(target, c, f, t, knee_up=knee_up, backwards=backwards)
             reachable |= one
@@ -61,9 +63,7 @@ def recognise(axes: ArrayLike, links: ArrayLike) -> ClosedForm | None:
         return ClosedForm("leg", LEG_NAMES, False, _floats(links[:, 0]), np.eye(3))
     hanging = _same(axes, _HUMANOID_AXES) and not links[:, :2].any() and not links[[0, 1, 4], 2].any()
     if hanging and (links[[2, 3], 2] < 0).all():
-        return ClosedForm(
-            "humanoid leg", humanoid_leg.NAMES, True, _floats(-links[[2, 3, 5], 2]), np.eye(3)
-        )
+        return ClosedForm("humanoid leg", humanoid_leg.NAMES, True, _floats(-links[[2, 3, 5], 2]), np.eye(3))
     if len(axes) == 3 and np.array_equal(axes[0], axes[2]) and not links[0].any():
         first, second = axes[0], axes[1]
         along = np.cross(second, first)
@@ -71,7 +71,9 @@ def recognise(axes: ArrayLike, links: ArrayLike) -> ClosedForm | None:
         straight = np.allclose(links[1:], [upper * along, fore * along], atol=1e-12)
         if abs(first @ second) < 1e-12 and straight and upper > 0 and fore > 0:
             names = shoulder_arm.NAMES
-            return ClosedForm("shoulder arm", names, False, _floats([upper, fore]), np.array([along, second, first]))
+            return ClosedForm(
+                "shoulder arm", names, False, _floats([upper, fore]), np.array([along, second, first])
+            )
     return None
 
 

@@ -82,7 +82,12 @@ def leg_ik(
 
 
 def _leg_ik_block(
-    foot: Array, lengths: tuple[float, float, float], knee_up: bool, backwards: bool, q: Array, reachable: Array
+    foot: Array,
+    lengths: tuple[float, float, float],
+    knee_up: bool,
+    backwards: bool,
+    q: Array,
+    reachable: Array,
 ) -> None:
     coxa, femur, tibia = lengths
     x, y, h = foot.T.copy()
@@ -103,9 +108,7 @@ def _leg_ik_block(
     stretch = (femur + tibia) ** 2 - d2
     fold = d2 - (femur - tibia) ** 2
     slack = 2 * BOUNDARY
-    np.logical_and(
-        stretch >= -slack * (femur + tibia), fold >= -slack * abs(femur - tibia), out=reachable
-    )
+    np.logical_and(stretch >= -slack * (femur + tibia), fold >= -slack * abs(femur - tibia), out=reachable)
     stretch = np.sqrt(np.maximum(stretch, 0.0, out=stretch), out=stretch)
     fold = np.sqrt(np.maximum(fold, 0.0, out=fold), out=fold)
     gamma = np.arctan2(stretch, fold)

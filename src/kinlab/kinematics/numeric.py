@@ -60,7 +60,9 @@ class Solution:
 class Problem:
     """A chain, a target, and what the methods need of both."""
 
-    def __init__(self, axes: ArrayLike, links: ArrayLike, target: ArrayLike, rotation: ArrayLike | None) -> None:
+    def __init__(
+        self, axes: ArrayLike, links: ArrayLike, target: ArrayLike, rotation: ArrayLike | None
+    ) -> None:
         self.axes, self.links = np.asarray(axes, float), np.asarray(links, float)
         self.target = np.asarray(target, float)
         self.rotation = None if rotation is None else np.asarray(rotation, float)
@@ -130,7 +132,9 @@ def newton(problem: Problem, q: Array, e: Array, memory: dict[str, float]) -> tu
     H = J.T @ J
     H = H - np.einsum("i,ijk->jk", e[:3], chain.position_hessian(problem.axes, problem.links, q))
     try:
-        return q + np.linalg.solve(H, J.T @ e), "" if np.linalg.eigvalsh(H)[0] > 0 else "not a descent: saddle"
+        return q + np.linalg.solve(H, J.T @ e), "" if np.linalg.eigvalsh(H)[
+            0
+        ] > 0 else "not a descent: saddle"
     except np.linalg.LinAlgError:
         raise Stop("the matrix of second derivatives is singular") from None
 
@@ -155,7 +159,9 @@ def levenberg_marquardt(problem: Problem, q: Array, e: Array, memory: dict[str, 
     raise Stop("no step makes the residual smaller: a stationary point short of the target")
 
 
-def cyclic_coordinate_descent(problem: Problem, q: Array, e: Array, memory: dict[str, float]) -> tuple[Array, str]:
+def cyclic_coordinate_descent(
+    problem: Problem, q: Array, e: Array, memory: dict[str, float]
+) -> tuple[Array, str]:
     """One sweep from tip to base, each joint set to the best angle given the others (Wang and Chen 1991)."""
     q = q.copy()
     for i in reversed(range(len(q))):
@@ -238,8 +244,16 @@ def solve(
         if not np.isfinite(residual):
             reason = "the angles ran away"
         elif residual > tolerance_m and best_ago >= 30:
-            reason = "no progress in 30 iterations" if residual < 2 * best else "it jumps about without closing in"
+            reason = (
+                "no progress in 30 iterations" if residual < 2 * best else "it jumps about without closing in"
+            )
     converged = residual <= tolerance_m
     return Solution(
-        method, wrap(q), converged, residual, len(trace) - 1, tuple(trace), "converged" if converged else reason
+        method,
+        wrap(q),
+        converged,
+        residual,
+        len(trace) - 1,
+        tuple(trace),
+        "converged" if converged else reason,
     )

@@ -22,10 +22,12 @@ def rotation(axis: ArrayLike, angle: ArrayLike) -> Array:
 def rpy_to_rotation(rpy: ArrayLike) -> Array:
     """R = Rz(yaw) Ry(pitch) Rx(roll) for angles (..., 3) in rad, of shape (..., 3, 3)."""
     angles = np.asarray(rpy, dtype=float)
-    roll, pitch, yaw = (angles[..., i] for i in range(3))
-    return np.asarray(
-        rotation((0, 0, 1), yaw) @ rotation((0, 1, 0), pitch) @ rotation((1, 0, 0), roll)
-    )
+    (cr, cp, cy), (sr, sp, sy) = np.moveaxis(np.cos(angles), -1, 0), np.moveaxis(np.sin(angles), -1, 0)
+    R = np.empty((*angles.shape[:-1], 3, 3))
+    R[..., 0, 0], R[..., 0, 1], R[..., 0, 2] = cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr
+    R[..., 1, 0], R[..., 1, 1], R[..., 1, 2] = sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr
+    R[..., 2, 0], R[..., 2, 1], R[..., 2, 2] = -sp, cp * sr, cp * cr
+    return R
 
 
 def rotation_to_rpy(R: ArrayLike) -> Array:

@@ -57,7 +57,9 @@ def build_servo_model(name: str, spec: ServoModelSpec) -> ServoModel:
         if getattr(spec, key) <= 0:
             raise SpecError((key,), f"expected a positive number, got {getattr(spec, key):g}")
     speed = spec.speed_rpm * 2 * np.pi / 60
-    return ServoModel(name, spec.protocol, low, high, spec.deg_per_step, spec.torque_nm, speed, _source(spec, ()))
+    return ServoModel(
+        name, spec.protocol, low, high, spec.deg_per_step, spec.torque_nm, speed, _source(spec, ())
+    )
 
 
 def build_robot(name: str, spec: RobotSpec, models: dict[str, ServoModel]) -> Robot:
@@ -82,7 +84,9 @@ def build_robot(name: str, spec: RobotSpec, models: dict[str, ServoModel]) -> Ro
                     key = (joint.servo.model.protocol, joint.servo.id)
                     mine = f"{limb.name} {joint.name}"
                     if key in taken:
-                        raise SpecError((*place, "ids"), f"servo id {joint.servo.id} is taken by {taken[key]}")
+                        raise SpecError(
+                            (*place, "ids"), f"servo id {joint.servo.id} is taken by {taken[key]}"
+                        )
                     taken[key] = mine
             limbs[limb.name] = limb
     body = [_length(key, value, ("body", key)) for key, value in spec.body.items()]
@@ -112,14 +116,22 @@ def _limbs(name: str, group: Group, models: dict[str, ServoModel]) -> list[Limb]
         axes_place = (*place, "paper_axes") if member.paper_axes else (name, "paper_axes")
         limbs.append(
             Limb(
-                member_name, name, _servos(name, group, member_name, member, joints, models), mount, source,
-                stance, *_paper_axes(axes, axes_place), tuple(dimensions),
+                member_name,
+                name,
+                _servos(name, group, member_name, member, joints, models),
+                mount,
+                source,
+                stance,
+                *_paper_axes(axes, axes_place),
+                tuple(dimensions),
             )  # fmt: skip
         )
     return limbs
 
 
-def _joints(name: str, group: Group, specs: list[JointSpec], figures: dict[str, Dimension]) -> tuple[Joint, ...]:
+def _joints(
+    name: str, group: Group, specs: list[JointSpec], figures: dict[str, Dimension]
+) -> tuple[Joint, ...]:
     names = [s.name for s in specs]
     if not specs:
         raise SpecError((name, "joints"), "a limb needs at least one joint")
@@ -139,7 +151,9 @@ def _joints(name: str, group: Group, specs: list[JointSpec], figures: dict[str, 
             if key not in figures:
                 if group.joints == "leg":
                     raise SpecError((name,), f"'{key}' is missing: the length of the {key} in mm")
-                raise SpecError((name, "joints", i, "link"), f"no length is named '{key}'{suggestion(key, figures)}")
+                raise SpecError(
+                    (name, "joints", i, "link"), f"no length is named '{key}'{suggestion(key, figures)}"
+                )
             used.add(key)
             link["xyz".index(direction)] = (-1 if term.startswith("-") else 1) * figures[key].value / 1000  # type: ignore[operator]
         lower, upper, source = _limits(group.limits.get(spec.name, _EVERYWHERE), (name, "limits", spec.name))
@@ -155,7 +169,12 @@ def _joints(name: str, group: Group, specs: list[JointSpec], figures: dict[str, 
 
 
 def _servos(
-    name: str, group: Group, limb: str, member: Member, joints: tuple[Joint, ...], models: dict[str, ServoModel]
+    name: str,
+    group: Group,
+    limb: str,
+    member: Member,
+    joints: tuple[Joint, ...],
+    models: dict[str, ServoModel],
 ) -> tuple[Joint, ...]:
     place = (name, "members", limb)
     if member.mounting is None:
@@ -167,7 +186,9 @@ def _servos(
         raise SpecError((*place, "mounting"), f"no mounting is named '{member.mounting}'{near}")
     mounting = group.mountings[member.mounting]
     if len(member.ids) != len(joints):
-        raise SpecError((*place, "ids"), f"expected {len(joints)} servo ids, one a joint, got {len(member.ids)}")
+        raise SpecError(
+            (*place, "ids"), f"expected {len(joints)} servo ids, one a joint, got {len(member.ids)}"
+        )
     worn = []
     for joint, number in zip(joints, member.ids, strict=True):
         there = (name, "mountings", member.mounting)

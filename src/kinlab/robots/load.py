@@ -187,7 +187,9 @@ def _follow(data: Any, kind: Any, trail: str, message: str) -> Iterator[Any]:
         if token.startswith("["):
             key = int(token[1:-1]) if token[1:-1].isdigit() else None
         if key is None:
-            key = next((k for k in current if _fails(_only(whole, path, k), kind, message)), next(iter(current)))
+            key = next(
+                (k for k in current if _fails(_only(whole, path, k), kind, message)), next(iter(current))
+            )
         path.append(key)
         yield key
         current = current[key] if not isinstance(current, dict) or key in current else None
@@ -278,7 +280,11 @@ def _quoted(value: Any) -> str:
     if isinstance(value, list):
         text = str(list(value))
         return text if len(text) < 60 else f"a list of {len(value)}"
-    return {None: "nothing", True: "yes", False: "no"}.get(value, str(value)) if value in (None, True, False) else str(value)
+    return (
+        {None: "nothing", True: "yes", False: "no"}.get(value, str(value))
+        if value in (None, True, False)
+        else str(value)
+    )
 
 
 def all_servo_models() -> MappingProxyType[str, ServoModel]:

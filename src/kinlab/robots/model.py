@@ -203,10 +203,28 @@ class Robot:
             return next(iter(self.limbs.values()))
         return self.limbs[resolve(name, self.limbs, f"limb of {self.name}")]
 
-    @property
+    @cached_property
     def legs(self) -> tuple[Limb, ...]:
         """The limbs that stand on the ground."""
         return tuple(limb for limb in self.limbs.values() if limb.stance is not None)
+
+    @cached_property
+    def leg_frames(self) -> Array:
+        """Transforms (L, 4, 4) from the body frame into each leg's limb frame."""
+        return inverse(np.stack([leg.mount for leg in self.legs]))
+
+    @cached_property
+    def leg_limits(self) -> Array:
+        """Lower and upper limits (2, L, n) of the legs' joints, in rad."""
+        return np.stack([leg.limits for leg in self.legs], axis=1)
+
+    @cached_property
+    def equal_legs(self) -> tuple[float, float, float] | None:
+        """Coxa, femur and tibia in metres, where all legs are three-joint legs of one size; else None."""
+        forms = [leg.closed_form for leg in self.legs]
+        lengths = {form.lengths if form and form.kind == "leg" else None for form in forms}
+        one = lengths.pop() if len(lengths) == 1 else None
+        return None if one is None else (one[0], one[1], one[2])
 
     @property
     def servos(self) -> tuple[Servo, ...]:
