@@ -1,4 +1,4 @@
-"""Every closed form, derived again in symbols: what the code computes holds identically, not only in samples."""
+"""Every closed form, derived again in symbols: it holds identically, not only in samples."""
 
 import sympy as sp
 from sympy import cos, sin
@@ -47,7 +47,7 @@ class TestLeg:
         assert vanishes(fold - 2 * f * t * (1 + cos(gamma)))
 
     def test_sine_and_cosine_of_the_knee_are_those_that_beta_is_computed_from(self):
-        """The code's `sine` is -4 f t sin(gamma), from the product of the roots; `cosine` 4 f (f + t cos gamma)."""
+        """The code's `sine` is -4 f t sin(gamma), by the roots; its `cosine` is 4 f (f + t cos(gamma))."""
         d2 = (self.r - c) ** 2 + self.h**2
         stretch, fold = (f + t) ** 2 - d2, d2 - (f - t) ** 2
         assert vanishes(4 * stretch * fold - (4 * f * t * sin(gamma)) ** 2)
