@@ -1,4 +1,4 @@
-"""The command line: `kinlab COMMAND ...`. Each command stands in a module of its own, imported when it is used."""
+"""The command line, `kinlab COMMAND ...`: each command in a module of its own, imported when it is used."""
 
 import sys
 
@@ -19,5 +19,5 @@ def main(args: list[str] | None = None) -> None:
     try:
         kinlab(args=args, prog_name="kinlab")
     except KinlabError as error:
-        print(f"kinlab: {error}", file=sys.stderr)
+        sys.stderr.write(f"kinlab: {error}\n")
         sys.exit(error.exit_code)

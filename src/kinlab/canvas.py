@@ -1,0 +1,133 @@
+"""Drawing with characters: lines in braille dots, marks and labels on top; text out, for any face and any test.
+
+A dot is as wide as high on a terminal whose cells are twice as high as wide, so that one scale serves
+both directions and nothing looks stretched.
+"""
+
+from collections.abc import Callable, Iterable, Sequence
+
+_DOTS = ((0x01, 0x08), (0x02, 0x10), (0x04, 0x20), (0x40, 0x80))
+_ASCII_LINE = "*"
+
+Point = tuple[float, float]
+
+
+class Canvas:
+    """A field of `columns` x `rows` characters that shows a rectangle of the world, x right, y up.
+
+    Args:
+        columns, rows: of the field, in characters.
+        points: what must be in sight; the scale is chosen so that it fits, with a margin.
+        ascii_only: for terminals and readers without braille.
+    """
+
+    def __init__(self, columns: int, rows: int, points: Iterable[Point], *, ascii_only: bool = False) -> None:
+        self.columns, self.rows, self.ascii_only = columns, rows, ascii_only
+        xs, ys = zip(*points, strict=True)
+        wide, high = max(xs) - min(xs), max(ys) - min(ys)
+        self._per_dot: float = max(wide / (2 * columns - 6), high / (4 * rows - 6), 1e-12)
+        self._centre = ((max(xs) + min(xs)) / 2, (max(ys) + min(ys)) / 2)
+        self._bits = [[0] * columns for _ in range(rows)]
+        self._chars: dict[tuple[int, int], str] = {}
+        self._roles: dict[tuple[int, int], str] = {}
+
+    @property
+    def cell_width(self) -> float:
+        """How much of the world one character is wide, in its unit."""
+        return 2.0 * self._per_dot
+
+    def line(self, start: Point, end: Point, role: str, *, dashed: bool = False) -> None:
+        """A straight line; `role` names what it is, for a face to colour."""
+        (x0, y0), (x1, y1) = self._dot(start), self._dot(end)
+        steps = max(int(max(abs(x1 - x0), abs(y1 - y0))), 1)
+        for i in range(steps + 1):
+            if not dashed or i % 6 < 3:
+                self._set(round(x0 + (x1 - x0) * i / steps), round(y0 + (y1 - y0) * i / steps), role)
+
+    def fill(self, inside: Callable[[float, float], bool], role: str) -> None:
+        """Every dot whose place (x, y) is `inside`."""
+        for y in range(4 * self.rows):
+            for x in range(2 * self.columns):
+                if inside(
+                    (x - self.columns) * self._per_dot + self._centre[0],
+                    (2 * self.rows - y) * self._per_dot + self._centre[1],
+                ):
+                    self._set(x, y, role)
+
+    def mark(self, point: Point, char: str, role: str) -> None:
+        """One character at a place, over any line."""
+        cell = self._cell(point)
+        if cell:
+            self._chars[cell], self._roles[cell] = char, role
+
+    def label(self, point: Point, text: str, role: str) -> None:
+        """Text beside a place, where there is room for it: right, left, above, below; else nowhere."""
+        cell = self._cell(point)
+        if not cell:
+            return
+        row, column = cell
+        places = [
+            (row, column + 2),
+            (row, column - 1 - len(text)),
+            (row - 1, column + 1),
+            (row + 1, column + 1),
+        ]
+        for r, c in places:
+            inside = 0 <= r < self.rows and c >= 0 and c + len(text) <= self.columns
+            if inside and not any(
+                (r, c + i) in self._chars or self._bits[r][c + i] for i in range(len(text))
+            ):
+                for i, char in enumerate(text):
+                    self._chars[r, c + i], self._roles[r, c + i] = char, role
+                return
+
+    def spans(self) -> list[list[tuple[str, str]]]:
+        """The picture row by row, as runs of (text, role)."""
+        picture = []
+        for r in range(self.rows):
+            runs: list[tuple[str, str]] = []
+            for c in range(self.columns):
+                char, role = self._char(r, c), self._roles.get((r, c), "")
+                if runs and runs[-1][1] == role:
+                    runs[-1] = (runs[-1][0] + char, role)
+                else:
+                    runs.append((char, role))
+            picture.append(runs)
+        return picture
+
+    def text(self) -> str:
+        """The picture as plain text, without spaces at the ends of its lines."""
+        return "\n".join("".join(text for text, _ in row).rstrip() for row in self.spans())
+
+    def _char(self, row: int, column: int) -> str:
+        char = self._chars.get((row, column))
+        if char:
+            return char
+        bits = self._bits[row][column]
+        if not bits:
+            return " "
+        return _ASCII_LINE if self.ascii_only else chr(0x2800 + bits)
+
+    def _dot(self, point: Point) -> Point:
+        x = (point[0] - self._centre[0]) / self._per_dot + self.columns
+        y = (self._centre[1] - point[1]) / self._per_dot + 2 * self.rows
+        return x, y
+
+    def _cell(self, point: Point) -> tuple[int, int] | None:
+        x, y = self._dot(point)
+        row, column = int(y // 4), int(x // 2)
+        return (row, column) if 0 <= row < self.rows and 0 <= column < self.columns else None
+
+    def _set(self, x: int, y: int, role: str) -> None:
+        row, column = y // 4, x // 2
+        if 0 <= row < self.rows and 0 <= column < self.columns:
+            self._bits[row][column] |= _DOTS[y % 4][x % 2]
+            self._roles[row, column] = role
+
+
+def beside(left: Sequence[str], right: Sequence[str], gap: int = 2) -> list[str]:
+    """Two blocks of text next to each other."""
+    width = max(map(len, left), default=0)
+    count = max(len(left), len(right))
+    rows = zip([*left, *[""] * (count - len(left))], [*right, *[""] * (count - len(right))], strict=True)
+    return [f"{a:<{width}}{' ' * gap}{b}".rstrip() for a, b in rows]

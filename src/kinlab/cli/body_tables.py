@@ -1,0 +1,50 @@
+"""What `kinlab body` prints for people."""
+
+from typing import Any
+
+from rich.text import Text
+
+from kinlab.cli.show import place, show, table
+from kinlab.robots.body import Stand
+
+
+def show_answer(answer: Stand, printed: Any, *, asked: bool) -> None:
+    """Every leg's foot and joints; where asked for, the paper's feet beside them."""
+    data = answer.to_json()
+    heading = Text(answer.robot.name, style="bold")
+    show(
+        heading.append(
+            f"   body moved by {place(data['xyz_mm'])} mm, turned by {place(data['rpy_deg'])} deg",
+            style="not bold",
+        )
+    )
+    joints = answer.robot.legs[0].joint_names
+    found = table(
+        "legs over fixed feet",
+        "leg",
+        ("foot in the body frame", "mm"),
+        *((j, "deg") for j in joints),
+        "servo commands",
+    )
+    for name, leg in data["legs"].items():
+        foot = place(leg["foot_mm"], 2)
+        if leg["reachable"]:
+            commands = " ".join("-" if c is None else str(c) for c in leg["commands"].values())
+            found.add_row(
+                name, foot, *(f"{a:.3f}" for a in leg["angles_deg"].values()), commands or "not printed"
+            )
+        else:
+            found.add_row(
+                Text(name, style="bold red"), foot, *("-" for _ in joints), f"not reachable: {leg['reason']}"
+            )
+    show("", found)
+    if not asked:
+        return
+    if printed is None:
+        show("", "the paper prints no equations for the pose of the body")
+        return
+    shown = printed.to_json()
+    beside = table(f"as printed: {shown['where']}", "leg", ("printed foot", "mm"), ("off by", "mm"))
+    for name, leg in shown["legs"].items():
+        beside.add_row(name, place(leg["foot_mm"], 2), f"{leg['error_mm']:.3f}")
+    show("", beside, shown["note"])

@@ -1,0 +1,120 @@
+"""What the commands share: numbers as people type them, the options they have in common, and output."""
+
+import json
+import re
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated, Any, get_args, get_origin
+
+import typer
+from typer._click.exceptions import BadParameter
+from typer._coercion import RuntimeParam
+from typer.core import TyperCommand
+
+_NUMBER = re.compile(r"[+-]?(\d|[.,]\d|inf|nan)", re.IGNORECASE)
+
+
+def complete_robot(incomplete: str) -> list[str]:
+    """Robots' names for the shell."""
+    from kinlab.robots import robot_names
+
+    return [name for name in robot_names() if name.startswith(incomplete)]
+
+
+RobotArgument = Annotated[
+    str,
+    typer.Argument(
+        help="Name of a robot, or a unique beginning of it.",
+        show_default=False,
+        autocompletion=complete_robot,
+    ),
+]
+LimbOption = Annotated[str | None, typer.Option("--limb", "-l", help="The limb. Default: the robot's first.")]
+FrameOption = Annotated[str, typer.Option("--frame", "-f", help="Axes of the numbers: limb, body or paper.")]
+JsonOption = Annotated[
+    bool, typer.Option("--json", help="One JSON document on standard output, nothing else.")
+]
+RobotsOption = Annotated[
+    Path | None,
+    typer.Option("--robots", help="A robots file that adds to KinLab's robots. Default: $KINLAB_ROBOTS."),
+]
+
+
+@dataclass(frozen=True)
+class PlainParam(RuntimeParam):
+    """Typed values by Python's own conversions, which start at once; a comma serves as the decimal mark."""
+
+    def _coerce_value(self, value: Any, param: Any, ctx: Any) -> Any:
+        return _convert(value, self.annotation, param, ctx)
+
+
+def _convert(value: Any, annotation: Any, param: Any, ctx: Any) -> Any:
+    if get_origin(annotation) in (list, tuple):
+        kinds = get_args(annotation)
+        kinds = kinds if get_origin(annotation) is tuple else kinds * len(value)
+        return [_convert(v, kind, param, ctx) for v, kind in zip(value, kinds, strict=True)]
+    if annotation in (float, int) and isinstance(value, str):
+        text = value.replace(",", ".") if annotation is float else value
+        try:
+            return annotation(text)
+        except ValueError:
+            what = "a number" if annotation is float else "a whole number"
+            raise BadParameter(f"expected {what}, got '{value}'", ctx=ctx, param=param) from None
+    return annotation(value)
+
+
+class NumericCommand(TyperCommand):
+    """A command for which a token that looks like a number is never an option: `ik udiebot -20 35 -60`."""
+
+    def __init__(self, name: str | None, **settings: Any) -> None:
+        super().__init__(name, **settings)
+        for param in self.params:
+            # Typer's own conversion imports pydantic, which takes longer than all that `kinlab ik` does.
+            known: Any = param
+            known._runtime_param = PlainParam(
+                known.type_descriptor.parameter_info, known.type_descriptor.annotation
+            )
+
+    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
+        takes: dict[str, int] = {}
+        for param in self.params:
+            for name in [*param.opts, *param.secondary_opts]:
+                flag = getattr(param, "is_flag", False) or getattr(param, "count", False)
+                takes[name] = 0 if flag else param.nargs
+        options: list[str] = []
+        values: list[str] = []
+        rest = list(args)
+        while rest:
+            token = rest.pop(0)
+            if token == "--":
+                values += rest
+                break
+            if not token.startswith("-") or token == "-" or _NUMBER.match(token):
+                values.append(token)
+                continue
+            options.append(token)
+            # Only an option given by its exact name, without "=", takes the tokens that follow it.
+            wanted = takes.get(token, 0)
+            options += rest[:wanted]
+            del rest[:wanted]
+        return super().parse_args(ctx, [*options, "--", *values])
+
+
+def command_app() -> typer.Typer:
+    """A Typer application of one command, in the house's style."""
+    return typer.Typer(
+        rich_markup_mode=None,
+        pretty_exceptions_enable=False,
+        add_completion=False,
+        context_settings={"help_option_names": ["-h", "--help"]},
+    )
+
+
+def print_json(document: Any) -> None:
+    """The one JSON document on standard output."""
+    typer.echo(json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False))
+
+
+def warn(message: str) -> None:
+    """A note beside the answer, on standard error."""
+    typer.echo(f"kinlab: {message}", err=True)

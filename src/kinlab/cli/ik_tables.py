@@ -1,0 +1,142 @@
+"""What `kinlab ik` prints for people."""
+
+from rich.table import Table
+from rich.text import Text
+
+from kinlab.cli.show import drawing, number, place, show, table
+from kinlab.papers import AsPrinted, measured
+from kinlab.papers import as_printed as evaluate
+from kinlab.robots.report import MethodComparison, PoseReport, TargetReport, angles_deg
+
+
+def show_answer(answer: TargetReport, *, every: bool, as_printed: bool, trace: bool) -> None:
+    """Angles, servos, errors and a drawing; where asked for, all solutions, the steps, the printed equations."""
+    show(_heading(answer.robot.name, answer.limb.name, answer.place_mm(answer.target), answer.frame))
+    if not answer.reachable:
+        show(Text(f"not reachable: {answer.reason}", style="bold red"))
+    if answer.nearest is not None:
+        show(
+            f"nearest reachable point: {place(answer.place_mm(answer.nearest))} mm, {answer.missed_mm:.3f} mm away"
+        )
+    chosen = None if answer.chosen is None else answer.poses[answer.chosen]
+    for pose in answer.poses:
+        if every or chosen is None or pose is chosen:
+            show("", angles_table(answer, pose))
+    if trace:
+        show("", _trace(answer))
+    printed = evaluate(answer.robot, answer.limb, answer.target, answer.rotation)
+    if chosen is not None:
+        show("", errors_table(answer, chosen, printed), "", drawing(answer.limb, chosen.q, answer.target))
+    if as_printed:
+        for variant in printed:
+            show("", _variant(answer, variant))
+
+
+def _heading(robot: str, limb: str, target_mm: list[float], frame: str) -> Text:
+    return Text(f"{robot} {limb}", style="bold").append(
+        f"   target {place(target_mm)} mm in the {frame} frame", style="not bold"
+    )
+
+
+def angles_table(answer: TargetReport, pose: PoseReport) -> Table:
+    """Joint angles, servo angles and commands of a pose."""
+    state = "within limits" if pose.within_limits else "; ".join(pose.beyond)
+    found = table(
+        f"{pose.name}, {state}", "joint", ("angle", "deg"), "servo", ("servo angle", "deg"), ("command", "")
+    )
+    for joint, angle in angles_deg(answer.limb, pose.q).items():
+        servo = pose.servos.get(joint)
+        if servo is None:
+            found.add_row(joint, f"{angle:.4f}", "not printed in the paper", "", "")
+        else:
+            command = "beyond its range" if servo.command is None else f"{servo.command} {servo.unit}"
+            found.add_row(
+                joint, f"{angle:.4f}", f"{servo.model}, id {servo.id}", f"{servo.servo_deg:.3f}", command
+            )
+    return found
+
+
+def errors_table(answer: TargetReport, pose: PoseReport, printed: tuple[AsPrinted, ...]) -> Table:
+    """How far off the tip lands, at each depth."""
+    found = table("how far off the tip lands", "error", ("", "mm"), "tip, mm")
+    found.add_row("of the mathematics", f"{pose.error_m * 1000:.1e}", place(answer.place_mm(pose.tip)))
+    if pose.quantised is None or pose.quantised_error_m is None:
+        found.add_row(
+            "of the servos' resolution", "-", "beyond their range" if pose.servos else "no servo is printed"
+        )
+    else:
+        tip = place(answer.place_mm(pose.quantised))
+        found.add_row("of the servos' resolution", f"{pose.quantised_error_m * 1000:.4f}", tip)
+    for variant in printed:
+        if variant.error_m is None or variant.tip is None:
+            found.add_row(
+                f"of the printed {variant.variant}", "-", "they cannot be evaluated here: see --as-printed"
+            )
+        else:
+            tip = place(answer.place_mm(variant.tip))
+            found.add_row(f"of the printed {variant.variant}", f"{variant.error_m * 1000:.4f}", tip)
+    paper = measured(answer.robot, answer.limb, answer.target)
+    if paper is None:
+        found.add_row("as the paper measured", "-", "it measured no tip of this limb")
+    else:
+        x, y, z = (number(v, 2) for v in paper.axes_mm)
+        found.add_row(
+            "as the paper measured", f"{paper.error_mm:.4f}", f"{paper.where}: x {x}, y {y}, z {z} mm off"
+        )
+    return found
+
+
+def _variant(answer: TargetReport, variant: AsPrinted) -> Table:
+    shown = variant.to_json(answer.limb, answer.frame)
+    angles = ", ".join(f"{k} {v:.4f}" for k, v in (shown["angles_deg"] or {}).items()) or "none"
+    found = table(f"as printed, {variant.variant}: {variant.where}", "", "")
+    found.show_header = False
+    found.add_row("angles [deg]", angles)
+    if variant.error_m is not None:
+        found.add_row("lands", f"at {place(shown['fk_mm'])} mm, {shown['error_mm']:.4f} mm off")
+    found.add_row("why", variant.note)
+    for fault in variant.faults:
+        cost = f"costs {fault.cost_m * 1000:.4f} mm by itself" if fault.cost_m is not None else fault.reason
+        found.add_row(
+            f"equation {fault.equation}", f"{fault.printed}   should be   {fault.corrected}   ({cost})"
+        )
+    return found
+
+
+def _trace(answer: TargetReport) -> Table:
+    run = answer.attempt
+    assert run is not None
+    found = table(
+        f"{run.method}: {run.reason}",
+        ("step", ""),
+        ("residual", "mm"),
+        *((j, "deg") for j in answer.limb.joint_names),
+        "note",
+    )
+    for i, step in enumerate(run.trace):
+        angles = (f"{a:.4f}" for a in angles_deg(answer.limb, step.q).values())
+        found.add_row(str(i), f"{step.residual_m * 1000:.3e}", *angles, step.note)
+    return found
+
+
+def show_comparison(report: MethodComparison) -> None:
+    """Every method on one target: who gets there, in how many steps, and why not."""
+    show(_heading(report.robot.name, report.limb.name, report.place_mm(report.target), report.frame))
+    found = table(
+        "all methods from the middle of the joints' limits",
+        "method",
+        ("steps", ""),
+        ("residual", "mm"),
+        *((j, "deg") for j in report.limb.joint_names),
+        "outcome",
+    )
+    exact = report.closed
+    if exact is not None:
+        angles = (f"{a:.3f}" for a in angles_deg(report.limb, exact.q).values())
+        found.add_row("closed form", "0", f"{exact.error_m * 1000:.1e}", *angles, exact.name)
+    else:
+        found.add_row("closed form", "", "", *("" for _ in report.limb.joints), report.no_closed_form)
+    for run in report.runs:
+        angles = (f"{a:.3f}" for a in angles_deg(report.limb, run.q).values())
+        found.add_row(run.method, str(run.iterations), f"{run.residual_m * 1000:.1e}", *angles, run.reason)
+    show("", found)

@@ -1,0 +1,14 @@
+"""What the papers print, evaluated as it stands, beside what is true."""
+
+from kinlab.papers.as_printed import as_printed, body_as_printed, fk_as_printed
+from kinlab.papers.results import AsPrinted, BodyAsPrinted, Fault, FkAsPrinted
+
+__all__ = [
+    "AsPrinted",
+    "BodyAsPrinted",
+    "Fault",
+    "FkAsPrinted",
+    "as_printed",
+    "body_as_printed",
+    "fk_as_printed",
+]

@@ -1,0 +1,62 @@
+"""One target of each paper, walked along the whole path: what `kinlab tour` shows."""
+
+from dataclasses import dataclass
+from typing import Any
+
+from kinlab.papers.as_printed import AsPrinted, as_printed
+from kinlab.robots import load_robots
+from kinlab.robots.report import TargetReport, solve_target
+from kinlab.units import to_metres
+
+
+@dataclass(frozen=True)
+class Stop:
+    """A target of a paper.
+
+    Attributes:
+        where: the place in the paper that the target comes from.
+        answer: the path for it.
+        printed: what the paper's own equations and tables make of it.
+    """
+
+    where: str
+    answer: TargetReport
+    printed: tuple[AsPrinted, ...]
+
+    def to_json(self) -> dict[str, Any]:
+        """The contract of `kinlab ik --json --as-printed`, and where the target comes from."""
+        limb, frame = self.answer.limb, self.answer.frame
+        return {
+            "where": self.where,
+            **self.answer.to_json(),
+            "as_printed": [variant.to_json(limb, frame) for variant in self.printed],
+        }
+
+
+# Robot, limb, target, unit, frame, and the place in the paper.
+TARGETS = (
+    ("xl430-hexapod", "R1", (75, 10, -46), "mm", "paper", "Table 1, right leg, advancing"),
+    ("krsri-hexapod", "R1", (130, 0, 90), "mm", "paper", "a standing leg; the paper prints no target"),
+    ("udiebot", "LF", (26, 0, 10), "cm", "paper", "Table 6, row 1"),
+    ("eros", "left_leg", (8, 0, -235), "mm", "paper", "one step of 8 mm, experiment 1"),
+    (
+        "receptionist-arm",
+        "right_arm",
+        (-11.322, 7.653, 0),
+        "cm",
+        "paper",
+        "section 4.1.1, start of the experiment",
+    ),
+)
+
+
+def tour() -> list[Stop]:
+    """The stops of the tour, one for each paper, with KinLab's own robots."""
+    robots = load_robots()
+    stops = []
+    for name, limb_name, target, unit, frame, where in TARGETS:
+        robot = robots[name]
+        limb = robot.limbs[limb_name]
+        answer = solve_target(robot, limb, to_metres(target, unit), frame=frame)
+        stops.append(Stop(where, answer, as_printed(robot, limb, answer.target, answer.rotation)))
+    return stops

@@ -1,0 +1,146 @@
+"""Every leg's joints for a pose of the body over feet that stay where they are."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from kinlab.errors import UsageError
+from kinlab.kinematics.body import feet_from_body
+from kinlab.kinematics.leg import leg_ik
+from kinlab.kinematics.transforms import Array, apply, rpy_to_rotation
+from kinlab.robots.inverse import LIMIT_SLACK, inverse_kinematics
+from kinlab.robots.model import Robot
+from kinlab.robots.report import angles_deg, read_servos, solve_target
+from kinlab.units import finite
+
+
+@dataclass(frozen=True, repr=False)
+class BodyPose:
+    """A pose of the body, or many (...), and what its L legs of n joints do for it.
+
+    Attributes:
+        legs: the legs' names.
+        feet: in the frame of the moved body (..., L, 3), metres.
+        q: joint angles (..., L, n) in rad, NaN where a foot is out of reach.
+        reachable: for each leg (..., L).
+    """
+
+    legs: tuple[str, ...]
+    feet: Array
+    q: Array
+    reachable: Array
+
+    def __repr__(self) -> str:
+        return f"<BodyPose of {', '.join(self.legs)}: {'all' if self.reachable.all() else 'not all'} feet in reach>"
+
+
+def standing_feet(robot: Robot) -> Array:
+    """Where the feet stand (L, 3), in the body frame, metres.
+
+    Raises:
+        UsageError: the robot has no legs.
+    """
+    if not robot.legs:
+        raise UsageError(f"{robot.name} has no legs to stand on")
+    return np.stack([leg.from_limb(leg.stance, "body") for leg in robot.legs if leg.stance is not None])
+
+
+def body_pose(robot: Robot, xyz: ArrayLike, rpy: ArrayLike, feet: ArrayLike | None = None) -> BodyPose:
+    """The legs' joint angles when the body moves by `xyz` and turns by `rpy` over fixed feet.
+
+    krsri-hexapod, equations 1 to 16, with the body moved instead of the feet.
+
+    Args:
+        robot: one with legs.
+        xyz: displacement (..., 3) in the frame of the standing body, metres.
+        rpy: roll, pitch, yaw (..., 3), rad.
+        feet: where they stand (L, 3), body frame, metres; default: the standing feet.
+
+    Raises:
+        UsageError: the robot has no legs.
+    """
+    feet = standing_feet(robot) if feet is None else np.asarray(feet, float)
+    R = rpy_to_rotation(rpy)
+    return legs_ik(robot, feet_from_body(feet, xyz, R), R)
+
+
+def legs_ik(robot: Robot, feet: ArrayLike, turned: ArrayLike | None = None) -> BodyPose:
+    """Joint angles of all legs for feet (..., L, 3) in the body frame, metres.
+
+    Equal three-joint legs are solved in one call, knee up, and only where that breaks a limit are the
+    other solutions looked for. The soles of six-joint legs stay level on the ground: `turned`
+    (..., 3, 3) is the attitude of the body over it.
+    """
+    feet = np.asarray(feet, float)
+    legs, inverse = robot.legs, robot.leg_frames
+    local = apply(inverse, feet)
+    names = tuple(leg.name for leg in legs)
+    if robot.equal_legs is not None:
+        q, reachable = leg_ik(local, *robot.equal_legs)
+        lower, upper = robot.leg_limits
+        fits = ((q >= lower - LIMIT_SLACK) & (q <= upper + LIMIT_SLACK)).all(axis=-1)
+        if fits.all():
+            return BodyPose(names, feet, q, reachable)
+    if len({len(leg.joints) for leg in legs}) > 1:
+        raise UsageError(f"the legs of {robot.name} differ in their number of joints")
+    level = None
+    if turned is not None and len(legs[0].joints) >= 6:
+        level = np.swapaxes(np.asarray(turned, float), -1, -2)
+    found = [
+        inverse_kinematics(
+            leg, local[..., i, :], None if level is None else inverse[i, :3, :3] @ level @ leg.mount[:3, :3]
+        )
+        for i, leg in enumerate(legs)
+    ]
+    return BodyPose(
+        names, feet, np.stack([f.q for f in found], axis=-2), np.stack([f.reachable for f in found], axis=-1)
+    )
+
+
+@dataclass(frozen=True)
+class Stand:
+    """What `kinlab body` shows: the robot, the body's displacement (3,) in metres and rpy (3,) in rad, the legs."""
+
+    robot: Robot
+    xyz: Array
+    rpy: Array
+    pose: BodyPose
+
+    def to_json(self) -> dict[str, Any]:
+        """Feet in mm in the moved body's frame, angles in deg, the servos' commands."""
+        legs = {}
+        for i, leg in enumerate(self.robot.legs):
+            reachable = bool(self.pose.reachable[i])
+            q = self.pose.q[i]
+            servos = read_servos(leg, q)[0] if reachable else {}
+            legs[leg.name] = {
+                "foot_mm": [round(float(v), 9) + 0.0 for v in self.pose.feet[i] * 1000],
+                "reachable": reachable,
+                "angles_deg": angles_deg(leg, q) if reachable else None,
+                "commands": {name: servo.command for name, servo in servos.items()},
+            }
+            if not reachable:
+                legs[leg.name]["reason"] = solve_target(
+                    self.robot, leg, self.pose.feet[i], frame="body"
+                ).reason
+        return {
+            "robot": self.robot.name,
+            "xyz_mm": (self.xyz * 1000).tolist(),
+            "rpy_deg": np.degrees(self.rpy).tolist(),
+            "reachable": bool(self.pose.reachable.all()),
+            "legs": legs,
+        }
+
+
+def stand(robot: Robot, xyz_mm: ArrayLike, rpy_deg: ArrayLike) -> Stand:
+    """The legs for one pose of the body, as people type it: millimetres and degrees.
+
+    Raises:
+        UsageError: numbers that are not finite, or a robot without legs.
+    """
+    finite(xyz_mm, "a displacement's numbers")
+    finite(rpy_deg, "angles")
+    xyz, rpy = np.asarray(xyz_mm, float) / 1000, np.radians(rpy_deg)
+    return Stand(robot, xyz, rpy, body_pose(robot, xyz, rpy))

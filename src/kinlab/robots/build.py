@@ -1,0 +1,268 @@
+"""From the checked shape of a robots file to robots: what its figures mean together."""
+
+from dataclasses import replace
+from types import MappingProxyType
+from typing import Any
+
+import numpy as np
+
+from kinlab.kinematics.transforms import Array, homogeneous, rotation
+from kinlab.names import suggestion
+from kinlab.robots.model import Joint, Limb, Robot
+from kinlab.robots.provenance import KINDS, UNSOURCED, Dimension, Provenance
+from kinlab.robots.schema import (
+    Group,
+    JointSpec,
+    Length,
+    Mass,
+    Member,
+    PaperAxes,
+    Point,
+    Range,
+    RobotSpec,
+    ServoModelSpec,
+    Sourced,
+)
+from kinlab.robots.servo import Servo, ServoModel
+
+LEG = [
+    JointSpec("coxa", "z", {"x": "coxa"}),
+    JointSpec("femur", "-y", {"x": "femur"}),
+    JointSpec("tibia", "-y", {"x": "tibia"}),
+]
+_AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
+_EVERYWHERE = Range((-180.0, 180.0))
+# A figure beyond this (mm) is a mistake of units in a desk robot's file.
+LONGEST_MM = 100_000.0
+
+
+class SpecError(Exception):
+    """A robots file says something that cannot be; `place` is the path of the field, below the robot."""
+
+    def __init__(self, place: tuple[Any, ...], message: str) -> None:
+        super().__init__(message)
+        self.place = place
+
+
+def build_servo_model(name: str, spec: ServoModelSpec) -> ServoModel:
+    """The servo model of a file's `servo_models`.
+
+    Raises:
+        SpecError: an empty range, or a step that is not positive.
+    """
+    low, high = spec.positions
+    if low >= high:
+        raise SpecError(("positions",), f"the range is inside out: {low} is not below {high}")
+    for key in ("deg_per_step", "torque_nm", "speed_rpm"):
+        if getattr(spec, key) <= 0:
+            raise SpecError((key,), f"expected a positive number, got {getattr(spec, key):g}")
+    speed = spec.speed_rpm * 2 * np.pi / 60
+    return ServoModel(
+        name, spec.protocol, low, high, spec.deg_per_step, spec.torque_nm, speed, _source(spec, ())
+    )
+
+
+def build_robot(name: str, spec: RobotSpec, models: dict[str, ServoModel]) -> Robot:
+    """The robot of a file's `robots`.
+
+    Raises:
+        SpecError: figures that contradict each other, or names that refer to nothing.
+    """
+    limbs: dict[str, Limb] = {}
+    taken: dict[tuple[str, int], str] = {}
+    if not spec.groups:
+        raise SpecError((), "a robot needs at least one group of limbs (legs, arms, ...)")
+    for group_name, group in spec.groups.items():
+        if not group.members:
+            raise SpecError((group_name, "members"), "a group needs at least one limb")
+        for limb in _limbs(group_name, group, models):
+            place = (group_name, "members", limb.name)
+            if limb.name in limbs:
+                raise SpecError(place, f"limb {limb.name} exists already, in {limbs[limb.name].group}")
+            for joint in limb.joints:
+                if joint.servo:
+                    key = (joint.servo.model.protocol, joint.servo.id)
+                    mine = f"{limb.name} {joint.name}"
+                    if key in taken:
+                        raise SpecError(
+                            (*place, "ids"), f"servo id {joint.servo.id} is taken by {taken[key]}"
+                        )
+                    taken[key] = mine
+            limbs[limb.name] = limb
+    body = [_length(key, value, ("body", key)) for key, value in spec.body.items()]
+    if spec.mass is not None:
+        body.append(_mass("mass", spec.mass, ("mass",)))
+    return Robot(
+        name, spec.title, spec.kind, spec.paper, MappingProxyType(limbs), tuple(body), tuple(spec.notes)
+    )
+
+
+def _limbs(name: str, group: Group, models: dict[str, ServoModel]) -> list[Limb]:
+    figures = {k: _length(k, v, (name, k)) for k, v in group.lengths.items()}
+    specs = LEG if group.joints == "leg" else list(group.joints)
+    joints = _joints(name, group, specs, figures)
+    dimensions = list(figures.values())
+    stance = None
+    if group.stance is not None:
+        point, source = _point(group.stance, (name, "stance"))
+        stance = point / 1000
+        dimensions.append(Dimension("stance", tuple(point.tolist()), "mm", source))
+    limbs = []
+    for member_name, member in group.members.items():
+        place = (name, "members", member_name)
+        at, source = _point(member.at, (*place, "at"))
+        mount = homogeneous(rotation((0, 0, 1), np.radians(member.turn)), at / 1000)
+        axes = member.paper_axes or group.paper_axes
+        axes_place = (*place, "paper_axes") if member.paper_axes else (name, "paper_axes")
+        limbs.append(
+            Limb(
+                member_name,
+                name,
+                _servos(name, group, member_name, member, joints, models),
+                mount,
+                source,
+                stance,
+                *_paper_axes(axes, axes_place),
+                tuple(dimensions),
+            )
+        )
+    return limbs
+
+
+def _joints(
+    name: str, group: Group, specs: list[JointSpec], figures: dict[str, Dimension]
+) -> tuple[Joint, ...]:
+    names = [s.name for s in specs]
+    if not specs:
+        raise SpecError((name, "joints"), "a limb needs at least one joint")
+    for i, joint_name in enumerate(names):
+        if joint_name in names[:i]:
+            raise SpecError((name, "joints", i), f"joint '{joint_name}' stands here twice")
+    for key in (*group.limits, *group.masses):
+        if key not in names:
+            part = "limits" if key in group.limits else "masses"
+            raise SpecError((name, part, key), f"no joint is named '{key}'{suggestion(key, names)}")
+    used: set[str] = set()
+    joints = []
+    for i, spec in enumerate(specs):
+        link = [0.0, 0.0, 0.0]
+        for direction, term in spec.link.items():
+            key = term.removeprefix("-")
+            if key not in figures:
+                if group.joints == "leg":
+                    near = suggestion(key, [f for f in figures if f not in {s.name for s in LEG}])
+                    raise SpecError((name,), f"'{key}' is missing: the length of the {key} in mm{near}")
+                raise SpecError(
+                    (name, "joints", i, "link"), f"no length is named '{key}'{suggestion(key, figures)}"
+                )
+            used.add(key)
+            link["xyz".index(direction)] = (-1 if term.startswith("-") else 1) * figures[key].value / 1000  # type: ignore[operator]
+        lower, upper, source = _limits(group.limits.get(spec.name, _EVERYWHERE), (name, "limits", spec.name))
+        mass = group.masses.get(spec.name)
+        kg = _mass(spec.name, mass, (name, "masses", spec.name)).value / 1000 if mass is not None else None  # type: ignore[operator]
+        axis = _axis(spec.axis, (name, "joints", i, "axis"))
+        joints.append(Joint(spec.name, axis, (link[0], link[1], link[2]), lower, upper, source, mass=kg))
+    for key in figures:
+        if key not in used:
+            known = [*used, *(f for f in Group.__struct_fields__ if f != "lengths")]
+            raise SpecError((name, key), f"no joint uses the length '{key}'{suggestion(key, known)}")
+    return tuple(joints)
+
+
+def _servos(
+    name: str,
+    group: Group,
+    limb: str,
+    member: Member,
+    joints: tuple[Joint, ...],
+    models: dict[str, ServoModel],
+) -> tuple[Joint, ...]:
+    place = (name, "members", limb)
+    if member.mounting is None:
+        if member.ids:
+            raise SpecError((*place, "ids"), "servo ids without a mounting")
+        return joints
+    if member.mounting not in group.mountings:
+        near = suggestion(member.mounting, group.mountings)
+        raise SpecError((*place, "mounting"), f"no mounting is named '{member.mounting}'{near}")
+    mounting = group.mountings[member.mounting]
+    if len(member.ids) != len(joints):
+        raise SpecError(
+            (*place, "ids"), f"expected {len(joints)} servo ids, one a joint, got {len(member.ids)}"
+        )
+    worn = []
+    for joint, number in zip(joints, member.ids, strict=True):
+        there = (name, "mountings", member.mounting)
+        if joint.name not in mounting:
+            raise SpecError(there, f"'{joint.name}' is missing: the servo of that joint")
+        spec = mounting[joint.name]
+        if spec.model not in models:
+            near = suggestion(spec.model, models)
+            raise SpecError((*there, joint.name, "model"), f"no servo model is named '{spec.model}'{near}")
+        if not 0 <= number <= 252:
+            raise SpecError((*place, "ids"), f"expected a servo id of 0 to 252, got {number}")
+        source = _source(spec, (*there, joint.name))
+        worn.append(replace(joint, servo=Servo(number, models[spec.model], spec.zero, spec.sign, source)))
+    for key in mounting:
+        if key not in [j.name for j in joints]:
+            near = suggestion(key, [j.name for j in joints])
+            raise SpecError((name, "mountings", member.mounting, key), f"no joint is named '{key}'{near}")
+    return tuple(worn)
+
+
+def _source(spec: Sourced, place: tuple[Any, ...]) -> Provenance:
+    given = [(kind, getattr(spec, kind)) for kind in KINDS if getattr(spec, kind) is not None]
+    if len(given) > 1:
+        names = " and ".join(kind for kind, _ in given)
+        raise SpecError(place, f"a figure has one source, not {names} at once")
+    return Provenance(*given[0]) if given else UNSOURCED  # type: ignore[arg-type]
+
+
+def _length(name: str, spec: float | Length, place: tuple[Any, ...]) -> Dimension:
+    value, source = (spec.mm, _source(spec, place)) if isinstance(spec, Length) else (float(spec), UNSOURCED)
+    if not 0 < value <= LONGEST_MM:
+        raise SpecError(place, f"expected a length in mm, above 0 and at most {LONGEST_MM:g}, got {value:g}")
+    return Dimension(name, value, "mm", source)
+
+
+def _mass(name: str, spec: float | Mass, place: tuple[Any, ...]) -> Dimension:
+    value, source = (spec.g, _source(spec, place)) if isinstance(spec, Mass) else (float(spec), UNSOURCED)
+    if value <= 0:
+        raise SpecError(place, f"expected a mass in g, above 0, got {value:g}")
+    return Dimension(name, value, "g", source)
+
+
+def _point(spec: Point | tuple[float, float, float], place: tuple[Any, ...]) -> tuple[Array, Provenance]:
+    values, source = (spec.mm, _source(spec, place)) if isinstance(spec, Point) else (spec, UNSOURCED)
+    point = np.array(values, dtype=float)
+    if (np.abs(point) > LONGEST_MM).any():
+        raise SpecError(place, f"expected a place within {LONGEST_MM:g} mm")
+    return point, source
+
+
+def _limits(spec: Range | tuple[float, float], place: tuple[Any, ...]) -> tuple[float, float, Provenance]:
+    (low, high), source = (spec.deg, _source(spec, place)) if isinstance(spec, Range) else (spec, UNSOURCED)
+    if low >= high:
+        raise SpecError(place, f"the limits are inside out: {low:g} is not below {high:g}")
+    return float(np.radians(low)), float(np.radians(high)), source
+
+
+def _axis(spec: str | tuple[float, float, float], place: tuple[Any, ...]) -> tuple[float, float, float]:
+    if isinstance(spec, str):
+        sign = -1.0 if spec.startswith("-") else 1.0
+        x, y, z = (sign * c + 0.0 for c in _AXES[spec[-1]])
+        return x, y, z
+    length = float(np.linalg.norm(spec))
+    if length == 0:
+        raise SpecError(place, "an axis must have a direction, got [0, 0, 0]")
+    x, y, z = (float(c) / length for c in spec)
+    return x, y, z
+
+
+def _paper_axes(spec: PaperAxes | None, place: tuple[Any, ...]) -> tuple[Array, Provenance]:
+    if spec is None:
+        return np.eye(3), UNSOURCED
+    columns = [_axis(getattr(spec, paper), place) for paper in "xyz"]
+    if len({axis[-1] for axis in (spec.x, spec.y, spec.z)}) != 3:
+        raise SpecError(place, "the paper's three axes must lie along three different axes of the limb")
+    return np.array(columns).T, _source(spec, place)

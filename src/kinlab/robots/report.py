@@ -1,0 +1,415 @@
+"""The path for one target, every station of it: angles, servo angles, commands, and the error at each depth.
+
+What `kinlab ik` and `kinlab fk` show, as data; figures for people, in millimetres and degrees.
+"""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from kinlab.kinematics import dh, manipulability, numeric
+from kinlab.kinematics.transforms import Array, rpy_to_rotation
+from kinlab.names import resolve
+from kinlab.robots.inverse import LIMIT_SLACK, fit_limits, inverse_kinematics, nearest
+from kinlab.robots.model import FRAMES, Limb, Robot
+from kinlab.units import finite
+
+
+@dataclass(frozen=True)
+class ServoReading:
+    """A servo at a joint angle: `command` in ticks, or microseconds for PWM; None beyond its range."""
+
+    id: int
+    model: str
+    servo_deg: float
+    command: int | None
+    unit: str
+
+    def to_json(self) -> dict[str, Any]:
+        """The contract's `servos` entry; a PWM servo has `pulse_us` and no ticks."""
+        pulse = self.unit == "us"
+        found: dict[str, Any] = {"id": self.id, "model": self.model, "servo_deg": self.servo_deg}
+        found["ticks"] = None if pulse else self.command
+        if pulse:
+            found["pulse_us"] = self.command
+        return found
+
+
+@dataclass(frozen=True)
+class PoseReport:
+    """One solution.
+
+    Attributes:
+        name: which of the solutions it is.
+        q: angles (n,), rad.
+        within_limits: of joints and servos.
+        beyond: what breaks a limit, in words; empty where nothing does.
+        tip: where forward kinematics puts the tip (3,), limb frame, metres.
+        error_m: its distance from the target.
+        servos: by joint name; empty where the paper names none.
+        quantised: the tip (3,) at the servos' nearest commands, limb frame, metres; None without servos
+            or beyond their range.
+        quantised_error_m: its distance from the target.
+    """
+
+    name: str
+    q: Array
+    within_limits: bool
+    beyond: tuple[str, ...]
+    tip: Array
+    error_m: float
+    servos: dict[str, ServoReading]
+    quantised: Array | None
+    quantised_error_m: float | None
+
+
+@dataclass(frozen=True)
+class TargetReport:
+    """What comes of asking a limb for a target.
+
+    Attributes:
+        robot, limb: asked.
+        frame: in which places are shown: limb, body or paper.
+        target: (3,), limb frame, metres.
+        rotation: the attitude asked for (3, 3), or None.
+        poses: all solutions.
+        chosen: index of the chosen one; None where none is within the limits.
+        reason: why it is unreachable; empty where it is not.
+        nearest: the nearest reachable point (3,), limb frame, metres; None where the target is reachable.
+        attempt: the run of a numeric method, where one was asked for.
+    """
+
+    robot: Robot
+    limb: Limb
+    frame: str
+    target: Array
+    rotation: Array | None
+    poses: tuple[PoseReport, ...]
+    chosen: int | None
+    reason: str
+    nearest: Array | None
+    attempt: numeric.Solution | None = None
+
+    @property
+    def reachable(self) -> bool:
+        """Whether a solution within the limits was found."""
+        return self.chosen is not None
+
+    @property
+    def missed_mm(self) -> float:
+        """The distance from the target to the nearest reachable point."""
+        return 0.0 if self.nearest is None else float(np.linalg.norm(self.nearest - self.target)) * 1000
+
+    def place_mm(self, point: Array) -> list[float]:
+        """A point of the limb frame (3,), in metres, as millimetres in the frame shown."""
+        return _place_mm(self.limb, point, self.frame)
+
+    def to_json(self) -> dict[str, Any]:
+        """The contract of `kinlab ik --json`, without `as_printed`."""
+        found: dict[str, Any] = {
+            "robot": self.robot.name,
+            "limb": self.limb.name,
+            "frame": self.frame,
+            "target_mm": self.place_mm(self.target),
+            "reachable": self.reachable,
+            "chosen": self.chosen,
+            "solutions": [self._pose_json(pose) for pose in self.poses],
+        }
+        if not self.reachable:
+            found["reason"] = self.reason
+            if self.nearest is not None:
+                found["nearest_mm"] = self.place_mm(self.nearest)
+                found["missed_mm"] = self.missed_mm
+        if self.attempt is not None:
+            found["method"] = attempt_json(self.limb, self.attempt)
+        return found
+
+    def _pose_json(self, pose: PoseReport) -> dict[str, Any]:
+        return {
+            "name": pose.name,
+            "angles_deg": angles_deg(self.limb, pose.q),
+            "within_limits": pose.within_limits,
+            "beyond": list(pose.beyond),
+            "fk_mm": self.place_mm(pose.tip),
+            "error_mm": pose.error_m * 1000,
+            "servos": {name: servo.to_json() for name, servo in pose.servos.items()},
+            "quantised_fk_mm": None if pose.quantised is None else self.place_mm(pose.quantised),
+            "quantised_error_mm": None if pose.quantised_error_m is None else pose.quantised_error_m * 1000,
+        }
+
+
+def _place_mm(limb: Limb, point: Array, frame: str) -> list[float]:
+    # A picometre is beyond what doubles hold of a leg; rounding there keeps 75.00000000000001 out of sight.
+    return [round(float(v), 9) + 0.0 for v in limb.from_limb(point, frame) * 1000]
+
+
+def attempt_json(limb: Limb, attempt: numeric.Solution) -> dict[str, Any]:
+    """A run of a numeric method: how it ended, and its trace."""
+    return {
+        "name": attempt.method,
+        "converged": attempt.converged,
+        "residual_mm": attempt.residual_m * 1000,
+        "iterations": attempt.iterations,
+        "reason": attempt.reason,
+        "angles_deg": angles_deg(limb, attempt.q),
+        "trace": [
+            {"angles_deg": angles_deg(limb, step.q), "residual_mm": step.residual_m * 1000, "note": step.note}
+            for step in attempt.trace
+        ],
+    }
+
+
+def angles_deg(limb: Limb, q: ArrayLike) -> dict[str, float]:
+    """Joint angles (n,) in rad as degrees by name."""
+    return {name: float(a) + 0.0 for name, a in zip(limb.joint_names, np.degrees(q), strict=True)}
+
+
+def solve_target(
+    robot: Robot,
+    limb: Limb,
+    target: ArrayLike,
+    *,
+    frame: str = "limb",
+    rpy: ArrayLike | None = None,
+    method: str | None = None,
+) -> TargetReport:
+    """Every station of the path for one target.
+
+    Args:
+        robot, limb: asked.
+        target: (3,), in metres and in `frame`.
+        frame: limb, body or paper.
+        rpy: roll, pitch, yaw (3,) of the tip in the limb frame, rad, for limbs that can choose it.
+        method: a numeric method (see `kinlab.kinematics.numeric`) instead of the closed form.
+
+    Raises:
+        UsageError: numbers that are not finite, a wrong name, an attitude that the limb cannot choose.
+    """
+    finite(target, "a target's numbers")
+    frame = resolve(frame, FRAMES, "frame")
+    point = limb.to_limb(target, frame)
+    rotation = None if rpy is None else rpy_to_rotation(rpy)
+    found = inverse_kinematics(limb, point, rotation)
+    attempt = None
+    if method is None:
+        named = [(n, q) for n, q in zip(found.names, found.solutions, strict=True) if np.isfinite(q).all()]
+    else:
+        attempt = attempt_target(limb, point, method, rotation)
+        q = attempt.q.copy()
+        fit_limits(limb, q)
+        named = [(attempt.method, q)] if attempt.converged else []
+    poses = tuple(_pose(limb, name, q, point) for name, q in named)
+    chosen = next((i for i, pose in enumerate(poses) if pose.within_limits), None)
+    reason, closest = "", None
+    if chosen is None:
+        if attempt is not None and not attempt.converged:
+            reason = f"{attempt.method} did not get there: {attempt.reason}"
+        if not found.reachable:
+            closest = nearest(limb, point)
+        reason = "; ".join(filter(None, [reason, _reason(limb, point, poses, found.exists)]))
+    return TargetReport(robot, limb, frame, point, rotation, poses, chosen, reason, closest, attempt)
+
+
+def attempt_target(limb: Limb, target: Array, method: str, rotation: Array | None = None) -> numeric.Solution:
+    """A numeric method from the middle of the joints' limits to `target` (3,), limb frame, metres."""
+    if rotation is None and len(limb.joints) >= 6:
+        rotation = np.eye(3)
+    start = limb.limits.mean(axis=0)
+    return numeric.solve(limb.axes, limb.links, target, start, method=method, rotation=rotation)
+
+
+def _pose(limb: Limb, name: str, q: Array, target: Array) -> PoseReport:
+    tip = limb.fk(q)[:3, 3]
+    lower, upper = limb.limits
+    beyond = []
+    for i, joint in enumerate(limb.joint_names):
+        if q[i] < lower[i] - LIMIT_SLACK:
+            beyond.append(
+                f"{joint} {np.degrees(q[i]):.2f} deg is below its limit of {np.degrees(lower[i]):.1f}"
+            )
+        elif q[i] > upper[i] + LIMIT_SLACK:
+            beyond.append(
+                f"{joint} {np.degrees(q[i]):.2f} deg is above its limit of {np.degrees(upper[i]):.1f}"
+            )
+    servos, quantised = read_servos(limb, q)
+    error = None if quantised is None else float(np.linalg.norm(quantised - target))
+    return PoseReport(
+        name, q, not beyond, tuple(beyond), tip, float(np.linalg.norm(tip - target)), servos, quantised, error
+    )
+
+
+def read_servos(limb: Limb, q: Array) -> tuple[dict[str, ServoReading], Array | None]:
+    """The servos at angles `q` (n,), rad, and the tip (3,), metres, at their nearest commands (None if beyond)."""
+    servos: dict[str, ServoReading] = {}
+    rounded = []
+    for joint, angle in zip(limb.joints, q, strict=True):
+        if joint.servo is None:
+            continue
+        command = float(joint.servo.command(angle))
+        inside = np.isfinite(command)
+        servos[joint.name] = ServoReading(
+            joint.servo.id, joint.servo.model.name, float(joint.servo.degrees(angle)),
+            int(command) if inside else None, joint.servo.model.unit,
+        )  # fmt: skip
+        rounded.append(joint.servo.joint(command))
+    whole = len(rounded) == len(limb.joints) and bool(np.isfinite(rounded).all())
+    return servos, limb.fk(np.array(rounded))[:3, 3] if whole else None
+
+
+def _reason(limb: Limb, target: Array, poses: tuple[PoseReport, ...], exists: Array) -> str:
+    if poses:
+        return "every solution breaks a limit: " + "; ".join(
+            f"{p.name}: {', '.join(p.beyond)}" for p in poses
+        )
+    if exists:
+        return ""
+    distance, length = np.linalg.norm(target) * 1000, np.linalg.norm(limb.links, axis=1).sum() * 1000
+    if distance > length:
+        return f"out of reach: {distance:.1f} mm from the first joint, and the stretched limb is {length:.1f} mm long"
+    return "out of reach: no angles of the joints bring the tip there"
+
+
+@dataclass(frozen=True)
+class MethodComparison:
+    """One target through every numeric method, beside the closed form.
+
+    Attributes:
+        robot, limb, frame, target: as in TargetReport.
+        closed: the closed form's pose, or None.
+        no_closed_form: why there is none; empty where there is.
+        runs: one of each method, all from the middle of the joints' limits.
+    """
+
+    robot: Robot
+    limb: Limb
+    frame: str
+    target: Array
+    closed: PoseReport | None
+    no_closed_form: str
+    runs: tuple[numeric.Solution, ...]
+
+    def place_mm(self, point: Array) -> list[float]:
+        """A point of the limb frame (3,), in metres, as millimetres in the frame shown."""
+        return _place_mm(self.limb, point, self.frame)
+
+    def to_json(self) -> dict[str, Any]:
+        """The runs with their traces."""
+        return {
+            "robot": self.robot.name,
+            "limb": self.limb.name,
+            "frame": self.frame,
+            "target_mm": self.place_mm(self.target),
+            "closed_form": None if self.closed is None else angles_deg(self.limb, self.closed.q),
+            "methods": [attempt_json(self.limb, run) for run in self.runs],
+        }
+
+
+def compare_methods(
+    robot: Robot, limb: Limb, target: ArrayLike, *, frame: str = "limb", rpy: ArrayLike | None = None
+) -> MethodComparison:
+    """One target (3,), in metres and in `frame`, through every numeric method; arguments as in `solve_target`."""
+    exact = solve_target(robot, limb, target, frame=frame, rpy=rpy)
+    runs = tuple(attempt_target(limb, exact.target, name, exact.rotation) for name in numeric.METHODS)
+    closed, why = None, exact.reason
+    if limb.closed_form is None:
+        why = "this chain has none"
+    elif exact.chosen is not None:
+        closed = exact.poses[exact.chosen]
+    return MethodComparison(robot, limb, exact.frame, exact.target, closed, why, runs)
+
+
+@dataclass(frozen=True)
+class PoseOfTip:
+    """What `kinlab fk` shows.
+
+    Attributes:
+        robot, limb: asked.
+        frame: limb, body or paper.
+        q: angles (n,), rad.
+        position: of the tip (3,), in `frame`, metres.
+        rotation: of the tip (3, 3), in `frame`.
+        jacobian: (6, n) in `frame`, m/rad and rad/rad.
+    """
+
+    robot: Robot
+    limb: Limb
+    frame: str
+    q: Array
+    position: Array
+    rotation: Array
+    jacobian: Array
+
+    @property
+    def manipulability(self) -> float:
+        """Yoshikawa's measure: of the linear rows for limbs of up to three joints, else of all six."""
+        rows = self.jacobian[:3] if len(self.q) <= 3 else self.jacobian
+        return float(manipulability(rows))
+
+    @property
+    def outside(self) -> tuple[str, ...]:
+        """What breaks a limit, in words."""
+        return _pose(self.limb, "", self.q, np.zeros(3)).beyond
+
+    def dh_json(self) -> dict[str, Any]:
+        """The limb's Denavit-Hartenberg parameters, with the transforms before and after them, in m."""
+        found = dh.from_chain(self.limb.axes, self.limb.links)
+        rows = zip(
+            self.limb.joint_names,
+            np.degrees(found.theta),
+            found.d,
+            found.a,
+            np.degrees(found.alpha),
+            strict=True,
+        )
+        return {
+            "joints": [
+                {
+                    "joint": n,
+                    "theta_deg": float(t),
+                    "d_mm": d * 1000 + 0.0,
+                    "a_mm": a * 1000 + 0.0,
+                    "alpha_deg": float(al),
+                }
+                for n, t, d, a, al in rows
+            ],
+            "base": (found.base + 0.0).tolist(),
+            "tool": (found.tool + 0.0).tolist(),
+        }
+
+    def to_json(self, *, jacobian: bool = False) -> dict[str, Any]:
+        """The contract of `kinlab fk --json`."""
+        found: dict[str, Any] = {
+            "robot": self.robot.name,
+            "limb": self.limb.name,
+            "frame": self.frame,
+            "angles_deg": angles_deg(self.limb, self.q),
+            "position_mm": [round(float(v), 9) + 0.0 for v in self.position * 1000],
+            "rotation": (self.rotation + 0.0).tolist(),
+            "within_limits": not self.outside,
+        }
+        if jacobian:
+            found["jacobian"] = (self.jacobian + 0.0).tolist()
+            found["manipulability"] = self.manipulability
+        return found
+
+
+def pose_of_tip(robot: Robot, limb: Limb, angles: ArrayLike, *, frame: str = "limb") -> PoseOfTip:
+    """Where the tip of `limb` is at `angles` (n,), in degrees as people type them.
+
+    Raises:
+        UsageError: numbers that are not finite, a wrong count of them, a wrong name.
+    """
+    finite(angles, "angles")
+    frame = resolve(frame, FRAMES, "frame")
+    q = np.radians(np.asarray(angles, float))
+    T = limb.fk(q)
+    turn = {"limb": np.eye(3), "body": limb.mount[:3, :3], "paper": limb.paper_axes.T}[frame]
+    J = limb.jacobian(q)
+    # Angular rates are axial vectors: a reflection of the axes turns them around.
+    axial = turn * np.linalg.det(turn)
+    shown = np.concatenate([turn @ J[:3], axial @ J[3:]])
+    # In the paper's axes both sides of the rotation are named anew; the body's only its base.
+    rotation = turn @ T[:3, :3] @ (turn.T if frame == "paper" else np.eye(3))
+    return PoseOfTip(robot, limb, frame, q, limb.from_limb(T[:3, 3], frame), rotation, shown)

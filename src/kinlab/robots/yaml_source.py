@@ -1,0 +1,203 @@
+"""YAML as plain data with line numbers, from files that nobody has checked.
+
+Built on PyYAML's parser events and not on its loader: only scalars, lists and mappings come out,
+whatever tags a file carries; aliases are shared, never copied; nesting, size and duplicate keys
+are refused with the line at which they stand.
+"""
+
+from pathlib import Path
+from typing import Any
+
+import yaml
+
+from kinlab.errors import FileError
+
+MAX_BYTES = 1_000_000
+MAX_DEPTH = 20
+MAX_VALUES = 100_000
+
+_PREFIX = "tag:yaml.org,2002:"
+_KINDS = ("str", "int", "float", "bool", "null", "timestamp", "merge")
+
+
+class Mapping(dict[str, Any]):
+    """A mapping that knows the line of each key, its own line, and how many values it stands for."""
+
+    def __init__(self, line: int) -> None:
+        super().__init__()
+        self.line = line
+        self.lines: dict[str, int] = {}
+        self.merged: set[str] = set()
+        self.size = 1
+
+
+class Sequence(list[Any]):
+    """A list that knows the line of each item, its own line, and how many values it stands for."""
+
+    def __init__(self, line: int) -> None:
+        super().__init__()
+        self.line = line
+        self.lines: list[int] = []
+        self.size = 1
+
+
+def read_text(path: Path) -> str:
+    """The text of a user's file.
+
+    Raises:
+        FileError: it is missing, unreadable, too large, or not UTF-8.
+    """
+    try:
+        with path.open("rb") as file:
+            raw = file.read(MAX_BYTES + 1)
+    except OSError as error:
+        raise FileError(f"{path}: {error.strerror or error}") from None
+    if len(raw) > MAX_BYTES:
+        raise FileError(f"{path}: larger than {MAX_BYTES // 1000} kB, which no robots file needs to be")
+    try:
+        return raw.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line = raw[: error.start].count(b"\n") + 1
+        raise FileError(f"{path}:{line}: not UTF-8 text") from None
+
+
+def parse(text: str, name: str) -> Mapping:
+    """The mapping that a YAML document holds, with lines.
+
+    Args:
+        text: the document.
+        name: the file's name, for messages.
+
+    Raises:
+        FileError: `NAME:LINE: what is wrong` for anything but one mapping of plain data.
+    """
+    try:
+        return _Builder(name).build(text)
+    except yaml.MarkedYAMLError as error:
+        mark = error.problem_mark or error.context_mark
+        where = f":{mark.line + 1}" if mark else ""
+        raise FileError(f"{name}{where}: not valid YAML: {error.problem or error.context}") from None
+    except yaml.YAMLError as error:
+        raise FileError(f"{name}: not valid YAML: {' '.join(str(error).split())}") from None
+
+
+class _Builder:
+    def __init__(self, name: str) -> None:
+        self.name = name
+        self.anchors: dict[str, Any] = {}
+        self.stack: list[tuple[Mapping | Sequence, str | None]] = []
+        self.keys: list[str | None] = []
+        self.root: Any = None
+        self.documents = 0
+
+    def fail(self, line: int, problem: str) -> FileError:
+        return FileError(f"{self.name}:{line}: {problem}")
+
+    def build(self, text: str) -> Mapping:
+        loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+        for event in yaml.parse(text, Loader=loader):
+            assert event.start_mark is not None
+            line = event.start_mark.line + 1
+            if isinstance(event, yaml.DocumentStartEvent):
+                self.documents += 1
+                if self.documents > 1:
+                    raise self.fail(line, "a second document; one is expected")
+            elif isinstance(event, yaml.ScalarEvent):
+                self.add(self.scalar(event, line), line, event.anchor)
+            elif isinstance(event, yaml.AliasEvent):
+                if event.anchor not in self.anchors:
+                    raise self.fail(line, f"no anchor is named '{event.anchor}'")
+                self.add(self.anchors[event.anchor], line, None)
+            elif isinstance(event, (yaml.MappingStartEvent, yaml.SequenceStartEvent)):
+                if event.tag not in (None, f"{_PREFIX}map", f"{_PREFIX}seq"):
+                    raise self.fail(line, f"tag {event.tag} is not allowed; a robots file is plain data")
+                if len(self.stack) >= MAX_DEPTH:
+                    raise self.fail(line, f"nested deeper than {MAX_DEPTH} levels")
+                kind = Mapping if isinstance(event, yaml.MappingStartEvent) else Sequence
+                self.stack.append((kind(line), event.anchor))
+                self.keys.append(None)
+            elif isinstance(event, (yaml.MappingEndEvent, yaml.SequenceEndEvent)):
+                value, anchor = self.stack.pop()
+                self.keys.pop()
+                self.add(value, value.line, anchor)
+        if not isinstance(self.root, Mapping):
+            found = "nothing" if self.root is None else f"a {_name_of(self.root)}"
+            raise FileError(f"{self.name}:1: expected a mapping at the top of the file, got {found}")
+        return self.root
+
+    def scalar(self, event: yaml.ScalarEvent, line: int) -> Any:
+        tag = event.tag
+        if tag in (None, "!"):
+            tag = _RESOLVER.resolve(yaml.ScalarNode, event.value, event.implicit)  # type: ignore[no-untyped-call]
+        kind = tag.removeprefix(_PREFIX)
+        if kind not in _KINDS:
+            raise self.fail(line, f"tag {tag} is not allowed; a robots file is plain data")
+        if kind in ("str", "timestamp", "merge"):
+            return _Merge() if kind == "merge" else event.value
+        node = yaml.ScalarNode(tag, event.value)
+        try:
+            return _CONSTRUCTOR.construct_object(node)
+        except (ValueError, KeyError, OverflowError, yaml.YAMLError):
+            raise self.fail(line, f"'{event.value[:40]}' is not a valid {kind}") from None
+
+    def add(self, value: Any, line: int, anchor: str | None) -> None:
+        if anchor is not None:
+            self.anchors[anchor] = value
+        if not self.stack:
+            self.root = value
+            return
+        parent, _ = self.stack[-1]
+        if isinstance(parent, Mapping) and self.keys[-1] is None:
+            self.keys[-1] = self.key(value, parent, line)
+            return
+        parent.size += getattr(value, "size", 1)
+        if parent.size > MAX_VALUES:
+            raise self.fail(line, f"anchors expand to more than {MAX_VALUES} values")
+        if isinstance(parent, Sequence):
+            parent.append(value)
+            parent.lines.append(line)
+            return
+        key, self.keys[-1] = self.keys[-1], None
+        assert key is not None
+        if key == "<<":
+            self.merge(parent, value, line)
+        else:
+            # What is written here wins over what a merge brought.
+            parent[key] = value
+            parent.lines[key] = line
+            parent.merged.discard(key)
+
+    def key(self, value: Any, parent: Mapping, line: int) -> str:
+        if isinstance(value, _Merge):
+            return "<<"
+        if not isinstance(value, str):
+            raise self.fail(line, f"a key must be a name, got {value!r}"[:80])
+        if value in parent and value not in parent.merged:
+            raise self.fail(line, f"'{value}' stands here twice; first in line {parent.lines[value]}")
+        return value
+
+    def merge(self, parent: Mapping, value: Any, line: int) -> None:
+        for source in value if isinstance(value, Sequence) else [value]:
+            if not isinstance(source, Mapping):
+                raise self.fail(line, f"'<<' takes a mapping, got {_name_of(source)}")
+            for key, item in source.items():
+                if key not in parent:
+                    parent[key] = item
+                    parent.lines[key] = source.lines[key]
+                    parent.merged.add(key)
+
+
+class _Merge:
+    """The key `<<`."""
+
+
+def _name_of(value: Any) -> str:
+    names = {dict: "mapping", list: "list", str: "text", bool: "yes or no", type(None): "nothing"}
+    for kind, name in names.items():
+        if isinstance(value, kind):
+            return name
+    return "number"
+
+
+_RESOLVER = yaml.resolver.Resolver()
+_CONSTRUCTOR = yaml.constructor.SafeConstructor()
