@@ -150,7 +150,9 @@ def test_an_unknown_robot_is_answered_with_the_nearest_name(kinlab):
     assert answer.err == "kinlab: no robot is named 'udibot'; did you mean udiebot?\n"
 
 
-@pytest.mark.parametrize("numbers", [("-20", "-30", "-50"), ("-2e1", "-.3e2", "-50."), ("-20,0", "-30", "-50")])
+@pytest.mark.parametrize(
+    "numbers", [("-20", "-30", "-50"), ("-2e1", "-.3e2", "-50."), ("-20,0", "-30", "-50")]
+)
 def test_negative_numbers_are_plain_arguments(kinlab, numbers):
     found = kinlab("ik", "xl430-hexapod", *numbers, "--json").json
     assert found["target_mm"] == [-20, -30, -50]
@@ -200,7 +202,12 @@ def test_compare_runs_every_method_on_the_same_target(kinlab):
 
 def test_the_four_errors_stand_side_by_side(kinlab):
     shown = kinlab("ik", "xl430-hexapod", 75, 10, -45).out
-    for depth in ("of the mathematics", "of the servos' resolution", "of the printed equations", "as the paper measured"):
+    for depth in (
+        "of the mathematics",
+        "of the servos' resolution",
+        "of the printed equations",
+        "as the paper measured",
+    ):
         assert depth in shown
     assert "Tables 2 and 3, test 1" in shown
 

@@ -8,6 +8,7 @@ import dynamixel_sdk as sdk
 import pytest
 
 OK = sdk.COMM_SUCCESS
+LATE = {sdk.COMM_RX_TIMEOUT, sdk.COMM_RX_CORRUPT}
 TORQUE, LED, GOAL_VELOCITY, PROFILE, GOAL, POSITION = 64, 65, 104, 112, 116, 132
 
 
@@ -21,7 +22,20 @@ class Client:
         self.packets = sdk.PacketHandler(protocol)
 
     def __getattr__(self, name: str) -> Callable[..., object]:
-        return lambda *arguments: getattr(self.packets, name)(self.port, *arguments)
+        """A call that is repeated where the machine was too busy for the SDK's 34 ms."""
+
+        def call(*arguments: object) -> object:
+            for _ in range(20):
+                answer = getattr(self.packets, name)(self.port, *arguments)
+                parts = answer if isinstance(answer, tuple) else (answer,)
+                if not any(part in LATE for part in parts if isinstance(part, int)):
+                    break
+            return answer
+
+        return call
+
+    def hears_nothing_of(self, servo: int) -> bool:
+        return self.packets.ping(self.port, servo)[1] == sdk.COMM_RX_TIMEOUT
 
 
 @pytest.fixture(params=[57600, 1_000_000, 4_000_000])
@@ -53,7 +67,7 @@ def until(read: Callable[[], object], wanted: Callable[[object], bool]) -> objec
 def test_protocol_2_whole_session(x: Client) -> None:
     # Ping, one and all.
     assert x.ping(1) == (1060, OK, 0)
-    assert x.ping(99)[1] == sdk.COMM_RX_TIMEOUT
+    assert x.hears_nothing_of(99)
     found, result = x.broadcastPing()
     assert result == OK
     assert found == {i: [1060, 46] for i in range(1, 6)}
@@ -84,9 +98,9 @@ def test_protocol_2_whole_session(x: Client) -> None:
     read = sdk.GroupSyncRead(x.port, x.packets, PROFILE, 4)
     for servo in range(1, 6):
         assert read.addParam(servo)
-    assert read.txRxPacket() == OK
+    until(read.txRxPacket, OK.__eq__)
     assert [read.getData(servo, PROFILE, 4) for servo in range(1, 6)] == [10, 20, 30, 40, 50]
-    assert read.fastSyncRead() == OK
+    until(read.fastSyncRead, OK.__eq__)
     assert [read.getData(servo, PROFILE, 4) for servo in range(1, 6)] == [10, 20, 30, 40, 50]
 
     # Bulk write and bulk read, plain and fast.
@@ -98,7 +112,7 @@ def test_protocol_2_whole_session(x: Client) -> None:
     assert bulk.addParam(1, LED, 1)
     assert bulk.addParam(2, PROFILE, 4)
     for transfer in (bulk.txRxPacket, bulk.fastBulkRead):
-        assert transfer() == OK
+        until(transfer, OK.__eq__)
         assert (bulk.getData(1, LED, 1), bulk.getData(2, PROFILE, 4)) == (0, 77)
 
     # Registered write waits for the action.
@@ -130,16 +144,16 @@ def test_protocol_2_whole_session(x: Client) -> None:
 def test_the_id_and_the_baud_rate_change_after_the_answer(x: Client) -> None:
     assert x.write1ByteTxRx(4, 7, 40) == (OK, 0)
     assert x.ping(40) == (1060, OK, 0)
-    assert x.ping(4)[1] == sdk.COMM_RX_TIMEOUT
+    assert x.hears_nothing_of(4)
     assert x.write1ByteTxRx(40, 8, 4) == (OK, 0)
-    assert x.ping(40)[1] == sdk.COMM_RX_TIMEOUT
+    assert x.hears_nothing_of(40)
     assert x.port.setBaudRate(2_000_000)
     assert x.ping(40) == (1060, OK, 0)
 
 
 def test_protocol_1_whole_session(ax: Client) -> None:
     assert ax.ping(1) == (12, OK, 0)
-    assert ax.ping(99)[1] == sdk.COMM_RX_TIMEOUT
+    assert ax.hears_nothing_of(99)
     assert ax.write1ByteTxRx(1, 25, 1) == (OK, 0)
     assert ax.read1ByteTxRx(1, 25) == (1, OK, 0)
     assert ax.write2ByteTxRx(1, 30, 700) == (OK, 0)
@@ -161,12 +175,13 @@ def test_protocol_1_whole_session(ax: Client) -> None:
 
     assert ax.factoryReset(3) == (OK, 0)
     assert ax.port.setBaudRate(1_000_000)
-    assert ax.read1ByteTxRx(1, 3)[1] in (OK, sdk.COMM_RX_CORRUPT, sdk.COMM_RX_TIMEOUT)
+    # Reset, servo 3 has the id 1 and 1 Mbps.
+    assert ax.hears_nothing_of(3)
 
 
 def test_another_speed_is_silence(emulate: Callable[..., Path]) -> None:
     client = Client(emulate("--servo", "XL430-W250:1", "--baud", "1000000"), 2.0, 57600)
-    assert client.ping(1)[1] == sdk.COMM_RX_TIMEOUT
+    assert client.hears_nothing_of(1)
     assert client.port.setBaudRate(1_000_000)
     assert client.ping(1) == (1060, OK, 0)
 
@@ -177,7 +192,7 @@ def test_a_chain_with_both_protocols(emulate: Callable[..., Path]) -> None:
     assert old.ping(1) == (12, OK, 0)
     assert new.ping(2) == (1090, OK, 0)
     assert new.ping(3) == (1090, OK, 0)
-    assert old.ping(2)[1] == sdk.COMM_RX_TIMEOUT
+    assert old.hears_nothing_of(2)
 
 
 @pytest.mark.parametrize("value", [-131073, -1, 0x00FDFFFF])

@@ -5,8 +5,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from kinlab.cli.numeric import NumericCommand
-from kinlab.cli.printing import print_json
+from kinlab.cli.command import JsonOption, NumericCommand, command_app, print_json
 
 if TYPE_CHECKING:
     from kinlab.dynamixel import Bus
@@ -18,21 +17,17 @@ Port = Annotated[
     ),
 ]
 Baud = Annotated[int, typer.Option(help="Speed in bps.")]
-Json = Annotated[bool, typer.Option("--json", help="Print JSON.")]
 Unit = Annotated[str | None, typer.Option(help="deg, rad, rpm, %, V, degC; without: ticks.")]
 
-app = typer.Typer(
-    rich_markup_mode=None,
-    pretty_exceptions_enable=False,
-    add_completion=False,
-    no_args_is_help=True,
-    context_settings={"help_option_names": ["-h", "--help"]},
-)
+app = command_app()
 
 
-@app.callback(epilog="Example: kinlab bus scan --port /dev/ttyUSB0 --baud 57600")
+@app.callback(no_args_is_help=True, epilog="Example: kinlab bus scan --port /dev/ttyUSB0 --baud 57600")
 def _bus() -> None:
-    """Talk to servos on a serial port, a pty, TCP, or an emulated chain in memory."""
+    """Talk to servos on a serial port, a pty, TCP, or an emulated chain in memory.
+
+    Every command takes --json.
+    """
 
 
 def _open(port: str, baud: int) -> "Bus":
@@ -44,12 +39,12 @@ def _open(port: str, baud: int) -> "Bus":
     return Bus(port, baud)
 
 
-@app.command("scan", epilog="Example: kinlab bus scan --port emu:krsri-hexapod")
+@app.command("scan", cls=NumericCommand, epilog="Example: kinlab bus scan --port emu:krsri-hexapod")
 def _scan(
     port: Port,
     baud: Baud = 1_000_000,
     ids: Annotated[str, typer.Option(help="Which ids to ask.")] = "0-253",
-    json: Json = False,
+    json: JsonOption = False,
 ) -> None:
     """Find the servos; exit code 1 if there are none."""
     from kinlab.dynamixel.outfit import parse_ids
@@ -76,14 +71,14 @@ def _scan(
         raise typer.Exit(1)
 
 
-@app.command("read", epilog="Example: kinlab bus read 1 present_position --unit deg --port ./ttyDXL")
+@app.command("read", cls=NumericCommand, epilog="Example: kinlab bus read 1 present_position --unit deg --port ./ttyDXL")
 def _read(
     servo: Annotated[int, typer.Argument(help="The servo's id.")],
     register: Annotated[str, typer.Argument(help="A register's name, or its address.")],
     port: Port,
     baud: Baud = 1_000_000,
     unit: Unit = None,
-    json: Json = False,
+    json: JsonOption = False,
 ) -> None:
     """One register of one servo."""
     with _open(port, baud) as bus:
@@ -107,7 +102,7 @@ def _write(
     value: Annotated[str, typer.Argument(help="Ticks (512, 0x200) or an amount (90deg, 60rpm).")],
     port: Port,
     baud: Baud = 1_000_000,
-    json: Json = False,
+    json: JsonOption = False,
 ) -> None:
     """Set one register of one servo."""
     from kinlab.dynamixel.quantity import to_ticks
@@ -121,7 +116,7 @@ def _write(
         typer.echo(f"{found.name} of servo {servo}: {found.describe(to_ticks(value, found))}")
 
 
-@app.command("monitor", epilog="Example: kinlab bus monitor 1,2 --register present_position --port ./ttyDXL")
+@app.command("monitor", cls=NumericCommand, epilog="Example: kinlab bus monitor 1,2 --register present_position --port ./ttyDXL")
 def _monitor(
     port: Port,
     ids: Annotated[str | None, typer.Argument(help="Which servos, as in 1,2,5-7 [all that answer].")] = None,

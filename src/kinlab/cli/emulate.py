@@ -7,16 +7,15 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from kinlab.cli.numeric import numeric_app
-from kinlab.cli.printing import print_json
+from kinlab.cli.command import JsonOption, NumericCommand, RobotsOption, command_app, print_json
 
 if TYPE_CHECKING:
     from kinlab.dynamixel.chain import Chain
 
-app = numeric_app()
+app = command_app()
 
 
-@app.command(epilog="Example: kinlab emulate xl430-hexapod --pty ./ttyDXL")
+@app.command(cls=NumericCommand, epilog="Example: kinlab emulate xl430-hexapod --pty ./ttyDXL")
 def emulate(
     robot: Annotated[
         str | None, typer.Argument(help="Whose chain: its servos with their ids and models.")
@@ -47,8 +46,8 @@ def emulate(
         bool, typer.Option("--echo", help="Send back what comes in, like a bad adapter.")
     ] = False,
     seed: Annotated[int, typer.Option(help="Of the accidents: the same ones each time.")] = 0,
-    robots: Annotated[str | None, typer.Option(metavar="FILE", help="Your own robots.")] = None,
-    json: Annotated[bool, typer.Option("--json", help="Print JSON once the chain is up.")] = False,
+    robots: RobotsOption = None,
+    json: JsonOption = False,
 ) -> None:
     """Servos that other programs take for real ones, until Ctrl-C."""
     from kinlab.dynamixel.chain import Chain, Faults

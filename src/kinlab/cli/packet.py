@@ -6,14 +6,12 @@ from typing import Annotated, Any
 import typer
 from typer.core import TyperGroup
 
-from kinlab.cli.numeric import NumericCommand
-from kinlab.cli.printing import print_json, print_lines
+from kinlab.cli.command import JsonOption, NumericCommand, command_app, print_json
+from kinlab.cli.printing import print_lines
 
-Json = Annotated[bool, typer.Option("--json", help="Print JSON.")]
 Model = Annotated[
     str | None, typer.Option(help="Whose control table explains the bytes [AX-12A or XL430-W250-T].")
 ]
-SETTINGS = {"help_option_names": ["-h", "--help"]}
 
 
 class ScriptGroup(TyperGroup):
@@ -27,16 +25,11 @@ class ScriptGroup(TyperGroup):
         return super().resolve_command(ctx, args)
 
 
-app = typer.Typer(
-    cls=ScriptGroup,
-    rich_markup_mode=None,
-    pretty_exceptions_enable=False,
-    add_completion=False,
-    context_settings=SETTINGS,
-)
+app = command_app()
 
 
 @app.callback(
+    cls=ScriptGroup,
     invoke_without_command=True,
     epilog="Example: kinlab packet -c 'ping 1; write 1 goal_position 90deg; wait 0.5; read 1 present_position'",
 )
@@ -48,12 +41,12 @@ def _packet(
     ] = None,
     port: Annotated[str | None, typer.Option(help="A real bus in the place of an emulated chain.")] = None,
     baud: Annotated[int, typer.Option(help="Speed in bps.")] = 1_000_000,
-    json: Json = False,
+    json: JsonOption = False,
 ) -> None:
     """Packets byte by byte, on an emulated chain or a real bus.
 
     Without a command: a prompt (help tells what it understands). With a file
-    name: the lines of that file.
+    name: the lines of that file. Every command takes --json.
     """
     ctx.obj = (chain, port, baud)
     if ctx.invoked_subcommand:
@@ -89,8 +82,8 @@ def _run(session: Any, text: str, json: bool) -> None:
             print_json({"results": results})
 
 
-@app.command("run", hidden=True)
-def _script(ctx: typer.Context, file: str, json: Json = False) -> None:
+@app.command("run", cls=NumericCommand, hidden=True)
+def _script(ctx: typer.Context, file: str, json: JsonOption = False) -> None:
     """Carry out the lines of a file."""
     from pathlib import Path
 
@@ -109,7 +102,7 @@ def _build(
         list[str], typer.Argument(metavar="COMMAND...", help="As at the prompt: write 1 led 1.")
     ],
     model: Annotated[str, typer.Option(help="What servo it is for.")] = "AX-12A",
-    json: Json = False,
+    json: JsonOption = False,
 ) -> None:
     """The packet of a command, and what each of its bytes is for."""
     from kinlab.dynamixel.codec.dissect import dissect
@@ -128,14 +121,14 @@ def _build(
         print_lines(packet_lines("=", data, f"{len(data)} bytes", dissection, servos.table))
 
 
-@app.command("decode", epilog="Example: kinlab packet decode FF FF 01 05 03 1E 00 02 D6")
+@app.command("decode", cls=NumericCommand, epilog="Example: kinlab packet decode FF FF 01 05 03 1E 00 02 D6")
 def _decode(
     words: Annotated[
         list[str], typer.Argument(metavar="BYTE...", help="FF FF 01, 0xFF,0xFF, \\xff, FFFF01.")
     ],
     status: Annotated[bool, typer.Option("--status", help="It is an answer, not an instruction.")] = False,
     model: Model = None,
-    json: Json = False,
+    json: JsonOption = False,
 ) -> None:
     """A packet taken apart, byte by byte; exit code 1 if it is damaged."""
     from kinlab.dynamixel.codec.dissect import dissect
@@ -155,10 +148,10 @@ def _decode(
         raise typer.Exit(1)
 
 
-@app.command("crc", epilog="Example: kinlab packet crc FF FF FD 00 01 03 00 01")
+@app.command("crc", cls=NumericCommand, epilog="Example: kinlab packet crc FF FF FD 00 01 03 00 01")
 def _crc(
     words: Annotated[list[str], typer.Argument(metavar="BYTE...", help="All bytes before the check.")],
-    json: Json = False,
+    json: JsonOption = False,
 ) -> None:
     """Checksum (Protocol 1.0) and CRC-16 (Protocol 2.0) of bytes, step by step."""
     from kinlab.dynamixel.sandbox.wire import crc_steps
@@ -170,11 +163,11 @@ def _crc(
         print_lines(outcome.lines)
 
 
-@app.command("table", epilog="Example: kinlab packet table RX-24F goal_position")
+@app.command("table", cls=NumericCommand, epilog="Example: kinlab packet table RX-24F goal_position")
 def _table(
     model: Annotated[str, typer.Argument(help="AX-12A, RX-24F, XL430-W250-T, 2XL430-W250-T.")],
     registers: Annotated[list[str] | None, typer.Argument(metavar="REGISTER...", help="Only these.")] = None,
-    json: Json = False,
+    json: JsonOption = False,
 ) -> None:
     """A model's control table."""
     from kinlab.dynamixel.sandbox.display import table_lines

@@ -1,10 +1,8 @@
-"""Answers on standard output: one JSON document, or lines that are coloured where a person reads them."""
+"""Lines of (style, text) on standard output, coloured where a person reads them."""
 
-import json
 import os
 import sys
 from collections.abc import Iterable
-from typing import Any
 
 import typer
 
@@ -23,11 +21,6 @@ ANSI = {
     "dim": "90",
     "verb": "1",
 }
-
-
-def print_json(document: Any) -> None:
-    """One JSON document."""
-    typer.echo(json.dumps(document, indent=2, ensure_ascii=False))
 
 
 def print_lines(lines: Iterable[list[tuple[str, str]]]) -> None:

@@ -1,5 +1,7 @@
 """Which servos a chain has: a robot's, or those that a user names."""
 
+from pathlib import Path
+
 from kinlab.dynamixel.chain import Chain
 from kinlab.dynamixel.tables import load_table, models
 from kinlab.errors import UsageError
@@ -50,8 +52,8 @@ def modules_of(servos: list[tuple[str, list[int]]]) -> Modules:
     return modules
 
 
-def robot_modules(robot: str, file: str | None = None) -> Modules:
-    """The modules of a robot's chain, in the order of the bus.
+def robot_modules(robot: str, file: Path | None = None) -> Modules:
+    """The modules of a robot's chain, in the order of their ids.
 
     Args:
         file: a user's own robots, besides those that ship.
@@ -62,15 +64,18 @@ def robot_modules(robot: str, file: str | None = None) -> Modules:
     from kinlab.robots import load_robot
 
     by_model: list[tuple[str, list[int]]] = []
-    for servo in load_robot(robot, file).servos:
-        if servo.id is None or not any(name.startswith(servo.model) for name in models()):
-            raise UsageError(f"{robot} has {servo.model} servos, which are not on a Dynamixel bus")
-        model = load_table(servo.model)
-        # Two axes of one case follow each other; single servos stand for themselves.
-        if by_model and by_model[-1][0] == model.model and len(by_model[-1][1]) < model.axes:
+    machine = load_robot(robot, file)
+    if not machine.servos:
+        raise UsageError(f"{machine.name} names no servos")
+    for servo in machine.servos:
+        if servo.model.protocol == "pwm":
+            raise UsageError(f"{machine.name} has {servo.model.name} servos, which are not on a bus but on PWM")
+        table = load_table(servo.model.name)
+        # The two axes of one case follow each other; single servos stand for themselves.
+        if by_model and by_model[-1][0] == table.model and len(by_model[-1][1]) < table.axes:
             by_model[-1][1].append(servo.id)
         else:
-            by_model.append((model.model, [servo.id]))
+            by_model.append((table.model, [servo.id]))
     return modules_of(by_model)
 
 

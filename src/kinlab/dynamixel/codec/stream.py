@@ -18,8 +18,6 @@ class StreamParser:
         self.discarded = 0
         self._buffer = b""
         self._scan = self._scan_1 if protocol == 1 else self._scan_2
-        if protocol == 2:
-            crc16(b"")  # Its table takes milliseconds to make, which the first packet must not wait for.
 
     @property
     def pending(self) -> bool:

@@ -131,6 +131,8 @@ class XServo(Servo):
         if not cells or any(a not in by_byte for a in cells):
             return ACCESS
         found = sorted({by_byte[a].address: by_byte[a] for a in cells}.items())
+        if not all(r.writable for _, r in found):
+            return ACCESS
         if any(a not in cells for _, r in found for a in range(r.address, r.end)):
             return LENGTH
         return [(r, bytes(cells[a] for a in range(r.address, r.end))) for _, r in found]
