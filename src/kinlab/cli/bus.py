@@ -71,7 +71,11 @@ def _scan(
         raise typer.Exit(1)
 
 
-@app.command("read", cls=NumericCommand, epilog="Example: kinlab bus read 1 present_position --unit deg --port ./ttyDXL")
+@app.command(
+    "read",
+    cls=NumericCommand,
+    epilog="Example: kinlab bus read 1 present_position --unit deg --port ./ttyDXL",
+)
 def _read(
     servo: Annotated[int, typer.Argument(help="The servo's id.")],
     register: Annotated[str, typer.Argument(help="A register's name, or its address.")],
@@ -116,7 +120,11 @@ def _write(
         typer.echo(f"{found.name} of servo {servo}: {found.describe(to_ticks(value, found))}")
 
 
-@app.command("monitor", cls=NumericCommand, epilog="Example: kinlab bus monitor 1,2 --register present_position --port ./ttyDXL")
+@app.command(
+    "monitor",
+    cls=NumericCommand,
+    epilog="Example: kinlab bus monitor 1,2 --register present_position --port ./ttyDXL",
+)
 def _monitor(
     port: Port,
     ids: Annotated[str | None, typer.Argument(help="Which servos, as in 1,2,5-7 [all that answer].")] = None,

@@ -69,7 +69,9 @@ def robot_modules(robot: str, file: Path | None = None) -> Modules:
         raise UsageError(f"{machine.name} names no servos")
     for servo in machine.servos:
         if servo.model.protocol == "pwm":
-            raise UsageError(f"{machine.name} has {servo.model.name} servos, which are not on a bus but on PWM")
+            raise UsageError(
+                f"{machine.name} has {servo.model.name} servos, which are not on a bus but on PWM"
+            )
         table = load_table(servo.model.name)
         # The two axes of one case follow each other; single servos stand for themselves.
         if by_model and by_model[-1][0] == table.model and len(by_model[-1][1]) < table.axes:

@@ -10,8 +10,8 @@ from prompt_toolkit.lexers import Lexer
 from kinlab.dynamixel.codec.dissect import dissect
 from kinlab.dynamixel.codec.hextext import HexError, parse_hex
 from kinlab.dynamixel.sandbox import VERBS, Session
+from kinlab.dynamixel.sandbox.assembling import looks_like_bytes
 from kinlab.dynamixel.sandbox.display import style_of
-from kinlab.dynamixel.sandbox.wire import looks_like_bytes
 
 OF_BYTES = frozenset({"send", "decode", "step", "expect", "crc"})
 

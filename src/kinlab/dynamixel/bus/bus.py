@@ -4,30 +4,20 @@ from collections.abc import Iterable, Mapping, Sequence
 from types import TracebackType
 from typing import NamedTuple
 
-from kinlab.dynamixel.bus.errors import DamagedAnswerError, NoAnswerError, RefusedError
-from kinlab.dynamixel.chain.chain import wire_time
-from kinlab.dynamixel.codec.checks import crc16
+from kinlab.dynamixel.bus.conversation import Conversation
+from kinlab.dynamixel.bus.errors import DamagedAnswerError, NoAnswerError
 from kinlab.dynamixel.codec.instructions import (
-    ALERT,
     BACKUP_KEY,
     BROADCAST,
     BY_NAME,
     CLEAR_KEY,
-    STATUS,
-    error_names,
     pack,
 )
-from kinlab.dynamixel.codec.packets import Packet, decode, encode
-from kinlab.dynamixel.codec.stream import StreamParser
+from kinlab.dynamixel.codec.packets import Packet
 from kinlab.dynamixel.ports import Port, open_port
 from kinlab.dynamixel.quantity import from_ticks, to_ticks
 from kinlab.dynamixel.tables import ControlTable, Register, table_of_number
 from kinlab.errors import UsageError
-
-LONGEST_DELAY = 254 * 2e-6
-LONGEST_SLOT = 0.003  # s that a servo may take for each id below its own when all are pinged
-ALARMS_1 = 0b100101  # input voltage, overheating, overload: a state, not the fate of the request
-STATUS_FRAME = {1: 6, 2: 11}  # bytes of an answer without data
 
 
 class Found(NamedTuple):
@@ -52,13 +42,11 @@ class Found(NamedTuple):
 class Bus:
     """Servos behind a port.
 
-        with Bus("/dev/ttyUSB0", baud=57600) as bus:
-            bus.write(1, "torque_enable", 1)
-            bus.write(1, "goal_position", "90deg")
-            bus.read(1, "present_position", "deg")
+    with Bus("/dev/ttyUSB0", baud=57600) as bus:
+        bus.write(1, "torque_enable", 1)
+        bus.write(1, "goal_position", "90deg")
+        bus.read(1, "present_position", "deg")
 
-    Attributes:
-        alarms: of each servo, what its last answer said about its state ("overload"); absent if all is well.
     """
 
     def __init__(
@@ -81,10 +69,8 @@ class Bus:
             PortError: the port cannot be opened.
         """
         self.port = open_port(port, baud) if isinstance(port, str) else port
-        self.retries = retries
-        self.alarms: dict[int, list[str]] = {}
+        self._talk = Conversation(self.port, retries, echo)
         self._protocols = (protocol,) if protocol else (2, 1)
-        self._echo = echo
         self._known: dict[int, Found] = {}
 
     def __enter__(self) -> "Bus":
@@ -94,6 +80,11 @@ class Bus:
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
         self.close()
+
+    @property
+    def alarms(self) -> dict[int, list[str]]:
+        """Of each servo, what its last answer said about its state ("overload"); absent if all is well."""
+        return self._talk.alarms
 
     def close(self) -> None:
         """Let go of the port."""
@@ -109,7 +100,7 @@ class Bus:
         """
         for protocol in self._protocols:
             try:
-                answer = self._ask(Packet(protocol, servo, 1), "PING", 3 if protocol == 2 else 0)
+                answer = self._talk.ask(Packet(protocol, servo, 1), "PING", 3 if protocol == 2 else 0)
             except NoAnswerError:
                 if protocol == self._protocols[-1]:
                     raise
@@ -128,15 +119,12 @@ class Bus:
         wanted = list(ids)
         found: dict[int, Found] = {}
         if 2 in self._protocols:
-            turns = max(wanted, default=0) + 1
-            window = wire_time(14 * turns, self.port.baud) + LONGEST_SLOT * turns
-            for frame in self._exchange(Packet(2, BROADCAST, 1), window, None)[0]:
-                packet = decode(frame, 2)
-                if packet.error is not None and packet.id in wanted and len(packet.params) == 3:
+            for packet in self._talk.ping_all(max(wanted, default=0) + 1):
+                if packet.id in wanted and len(packet.params) == 3:
                     number = int.from_bytes(packet.params[:2], "little")
                     found[packet.id] = Found(packet.id, 2, number, packet.params[2])
         if 1 in self._protocols:
-            listener = Bus(self.port, protocol=1, retries=0, echo=self._echo)
+            listener = Bus(self.port, protocol=1, retries=0, echo=self._talk.echo)
             for servo in wanted:
                 if servo not in found:
                     try:
@@ -195,7 +183,7 @@ class Bus:
     def action(self) -> None:
         """Let all servos carry out what `reg_write` left with them."""
         for protocol in {known.protocol for known in self._known.values()} or set(self._protocols):
-            self.port.send(encode(Packet(protocol, BROADCAST, 5)))
+            self._talk.tell(Packet(protocol, BROADCAST, 5))
 
     def reboot(self, servo: int) -> None:
         """Restart a servo; it is deaf for a moment."""
@@ -262,7 +250,7 @@ class Bus:
             rows.append({"id": servo, "address": register.address, "length": register.size, "data": data})
         self._tell(self._protocol_of(values), "BULK_WRITE", {}, rows)
 
-    # On the wire.
+    # Packets.
 
     def _protocol_of(self, servos: Iterable[int]) -> int:
         protocols = {self.known(servo).protocol for servo in servos}
@@ -298,10 +286,10 @@ class Bus:
         head: Mapping[str, int | bytes],
         rows: Sequence[Mapping[str, int | bytes]],
     ) -> None:
-        self.port.send(encode(self._packet(protocol, BROADCAST, name, head, rows)))
+        self._talk.tell(self._packet(protocol, BROADCAST, name, head, rows))
 
     def _command(self, name: str, servo: int, head: Mapping[str, int | bytes]) -> None:
-        self._ask(self._packet(self.known(servo).protocol, servo, name, head), name, 0)
+        self._talk.ask(self._packet(self.known(servo).protocol, servo, name, head), name, 0)
 
     def _write(
         self, instruction: str, servo: int, name: str, value: int | float | str, unit: str | None
@@ -311,32 +299,16 @@ class Bus:
             raise UsageError(f"{register.name} can only be read")
         data = register.encode(to_ticks(value, register, unit))
         head: dict[str, int | bytes] = {"address": register.address, "data": data}
-        self._ask(self._packet(self.known(servo).protocol, servo, instruction, head), register.name, 0)
+        self._talk.ask(self._packet(self.known(servo).protocol, servo, instruction, head), register.name, 0)
         if register.name in ("id", "protocol_type"):
             self._known.clear()
 
     def _read_bytes(self, protocol: int, servo: int, address: int, count: int, subject: str) -> bytes:
         packet = self._packet(protocol, servo, "READ", {"address": address, "count": count})
-        answer = self._ask(packet, subject, count)
+        answer = self._talk.ask(packet, subject, count)
         if len(answer.params) != count:
             raise DamagedAnswerError(servo, subject, answer.params)
         return answer.params
-
-    def _ask(self, packet: Packet, subject: str, count: int) -> Packet:
-        """The answer, with `count` bytes of data, of one servo."""
-        received = b""
-        for _ in range(self.retries + 1):
-            frames, received = self._exchange(packet, self._window(packet.protocol, [count]), 1)
-            for frame in frames:
-                answer = decode(frame, packet.protocol, as_status=True)
-                if answer.error is not None and answer.id == packet.id:
-                    self._judge(answer, subject)
-                    return answer
-        raise (
-            DamagedAnswerError(packet.id, subject, received)
-            if received
-            else NoAnswerError(packet.id, subject)
-        )
 
     def _read_many(
         self,
@@ -347,82 +319,7 @@ class Bus:
         unit: str | None,
     ) -> dict[int, int | float]:
         packet = self._packet(self._protocol_of(wanted), BROADCAST, name, head, rows)
-        window = self._window(packet.protocol, [register.size for register in wanted.values()])
-        answers: dict[int, Packet] = {}
-        received = b""
-        for _ in range(self.retries + 1):
-            fast = name.startswith("FAST")
-            frames, received = self._exchange(packet, window, 1 if fast else len(wanted))
-            if fast:
-                sizes = {servo: register.size for servo, register in wanted.items()}
-                answers = {part.id: part for frame in frames for part in split_fast(frame, sizes)}
-            else:
-                answers = {answer.id: answer for answer in (decode(f, packet.protocol, True) for f in frames)}
-            if answers.keys() >= wanted.keys():
-                break
-        values = {}
-        for servo, register in wanted.items():
-            if servo not in answers:
-                raise (
-                    DamagedAnswerError(servo, register.name, received)
-                    if received
-                    else NoAnswerError(servo, register.name)
-                )
-            self._judge(answers[servo], register.name)
-            values[servo] = from_ticks(register.decode(answers[servo].params), register, unit)
-        return values
-
-    def _window(self, protocol: int, counts: Sequence[int]) -> float:
-        """How long the answers may take, in s: their bytes, the servos' delays, and the port's own."""
-        expected = sum(STATUS_FRAME[protocol] + count for count in counts)
-        return wire_time(expected, self.port.baud) + LONGEST_DELAY * len(counts) + self.port.latency
-
-    def _exchange(self, packet: Packet, window: float, count: int | None) -> tuple[list[bytes], bytes]:
-        """The intact packets that follow an instruction until there are `count` of them, and all that came."""
-        request = encode(packet)
-        self.port.send(request)
-        deadline = self.port.clock.now() + wire_time(len(request), self.port.baud) + window
-        parser = StreamParser(packet.protocol)
-        frames: list[bytes] = []
-        received = b""
-        to_skip = request if self._echo else b""
-        while count is None or len(frames) < count:
-            data = self.port.receive(deadline)
-            if not data:
-                break
-            received += data
-            if to_skip:
-                if len(received) < len(to_skip):
-                    continue
-                data = received = received.removeprefix(to_skip)
-                to_skip = b""
-            # Where an adapter echoes unasked, the instruction itself comes back first.
-            frames += [f for f in parser.feed(data) if packet.protocol == 1 or f != request]
-        return frames, received
-
-    def _judge(self, answer: Packet, subject: str) -> None:
-        """Note alarms; refuse an answer that says the request failed."""
-        error = answer.error or 0
-        state = ALERT if answer.protocol == 2 else ALARMS_1
-        names = error_names(answer.protocol, error & state)
-        self.alarms.pop(answer.id, None)
-        if names:
-            self.alarms[answer.id] = names
-        if error & ~state:
-            raise RefusedError(answer.id, subject, error, error_names(answer.protocol, error & ~state))
-
-
-def split_fast(frame: bytes, sizes: Mapping[int, int]) -> list[Packet]:
-    """The answers of the servos (id to bytes of data) that a fast read has put into one packet.
-
-    Each part is error, id, data and a CRC over all that came before it; the first that is wrong ends the list.
-    """
-    parts: list[Packet] = []
-    at = 8
-    while at + 1 < len(frame) and frame[at + 1] in sizes:
-        end = at + 2 + sizes[frame[at + 1]]
-        if crc16(frame[:end]) != int.from_bytes(frame[end : end + 2], "little"):
-            break
-        parts.append(Packet(2, frame[at + 1], STATUS, frame[at + 2 : end], frame[at]))
-        at = end + 2
-    return parts
+        sizes = {servo: register.size for servo, register in wanted.items()}
+        subject = next(iter(wanted.values())).name
+        answers = self._talk.ask_many(packet, sizes, subject, name.startswith("FAST"))
+        return {s: from_ticks(r.decode(answers[s].params), r, unit) for s, r in wanted.items()}

@@ -1,7 +1,7 @@
 """Packets that are well formed and yet pointless: what a servo would make of them, said beforehand."""
 
 from kinlab.dynamixel.codec.checks import checksum
-from kinlab.dynamixel.codec.dissect import Tables
+from kinlab.dynamixel.codec.dissection import Tables
 from kinlab.dynamixel.codec.instructions import BROADCAST, BY_CODE, unpack
 from kinlab.dynamixel.codec.packets import Packet, encode
 from kinlab.dynamixel.tables import ControlTable

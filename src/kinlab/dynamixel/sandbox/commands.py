@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from kinlab.dynamixel.codec.hextext import show_hex
 from kinlab.dynamixel.codec.packets import encode
-from kinlab.dynamixel.sandbox import bench, wire
+from kinlab.dynamixel.sandbox import assembling, bench, expecting, wire
 from kinlab.dynamixel.sandbox.display import packet_lines
 from kinlab.dynamixel.sandbox.requests import REQUESTS, build_packet
 from kinlab.dynamixel.sandbox.session import ExpectationError, Outcome, Session
@@ -36,7 +36,7 @@ def execute(session: Session, line: str) -> Outcome:
     text = line.split("#", 1)[0].strip()
     if not text:
         return Outcome()
-    if session.assembling is not None and wire.looks_like_bytes(text):
+    if session.assembling is not None and assembling.looks_like_bytes(text):
         text = f"step {text}"
     name, _, rest = text.partition(" ")
     verb = VERBS.get(name.casefold())
@@ -100,8 +100,8 @@ def _build(session: Session, rest: str) -> Outcome:
 def _step(session: Session, rest: str) -> Outcome:
     words = rest.split()
     if words and words[0] in REQUESTS:
-        return wire.walk_through(session, encode(build_packet(session, words)))
-    return wire.step(session, rest)
+        return assembling.walk_through(session, encode(build_packet(session, words)))
+    return assembling.step(session, rest)
 
 
 def _help(session: Session, rest: str) -> Outcome:
@@ -162,7 +162,7 @@ VERBS = {
     "step": Verb("step [BYTES|COMMAND|back|off]", "assemble a packet byte by byte; then send", _step),
     "scan": Verb("scan", "find all servos", wire.scan),
     "expect": Verb(
-        "expect BYTES|silence|error=E|REGISTER=V|count=N", "fail unless that was the answer", wire.expect
+        "expect BYTES|silence|error=E|REGISTER=V|count=N", "fail unless that was the answer", expecting.expect
     ),
     "trace": Verb("trace on|off", "show packets, or results alone", wire.trace),
     "table": Verb("table ID|MODEL [REGISTER...]", "show a control table", bench.table),

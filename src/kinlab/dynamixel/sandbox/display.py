@@ -1,6 +1,7 @@
 """Packets as lines to read: bytes, fields, what is wrong, what is odd."""
 
-from kinlab.dynamixel.codec.dissect import Dissection, Tables, dissect
+from kinlab.dynamixel.codec.dissect import dissect
+from kinlab.dynamixel.codec.dissection import Dissection, Tables
 from kinlab.dynamixel.codec.hextext import show_hex
 from kinlab.dynamixel.codec.lint import warnings
 from kinlab.dynamixel.codec.packets import Packet

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from kinlab.dynamixel.bus import Bus, BusError, Found
-from kinlab.dynamixel.bus.bus import LONGEST_SLOT
+from kinlab.dynamixel.bus.conversation import LONGEST_SLOT
 from kinlab.dynamixel.chain import Chain, SimulatedClock
 from kinlab.dynamixel.chain.chain import MANY, wire_time
 from kinlab.dynamixel.codec.instructions import BROADCAST, BY_CODE, unpack

@@ -1,15 +1,12 @@
 """Sandbox commands about bytes: send, decode, step, expect."""
 
-import re
-
 from kinlab.dynamixel.codec.checks import checksum, crc16, crc_step
-from kinlab.dynamixel.codec.dissect import Dissection, dissect
+from kinlab.dynamixel.codec.dissect import dissect
+from kinlab.dynamixel.codec.dissection import Dissection
 from kinlab.dynamixel.codec.hextext import parse_hex, show_hex
-from kinlab.dynamixel.codec.instructions import error_names
 from kinlab.dynamixel.codec.packets import HEADER, Packet
-from kinlab.dynamixel.quantity import to_ticks
-from kinlab.dynamixel.sandbox.display import byte_spans, field_lines, packet_lines, style_of
-from kinlab.dynamixel.sandbox.session import Exchange, ExpectationError, Line, Outcome, Session
+from kinlab.dynamixel.sandbox.display import packet_lines
+from kinlab.dynamixel.sandbox.session import Exchange, Line, Outcome, Session
 from kinlab.errors import UsageError
 
 
@@ -159,91 +156,6 @@ def crc_steps(text: str) -> Outcome:
     )
 
 
-_BYTES = re.compile(r"(0x|\\x)?[0-9a-fA-F]{1,2}([\s,]+(0x|\\x)?[0-9a-fA-F]{1,2})*")
-
-
-def looks_like_bytes(text: str) -> bool:
-    """Whether a line is nothing but bytes."""
-    return bool(_BYTES.fullmatch(text))
-
-
-def step(session: Session, rest: str) -> Outcome:
-    """Assemble a packet byte by byte: show what the new bytes are, the running check, and what comes next."""
-    if rest == "off":
-        session.assembling = None
-        return Outcome(lines=[[("dim", "the packet is dropped")]])
-    so_far = session.assembling or b""
-    if rest == "back":
-        session.assembling = so_far[:-1]
-    else:
-        session.assembling = so_far + parse_hex(rest)
-    data = session.assembling
-    dissection = _unfinished(session, data)
-    lines: list[Line] = [[("arrow", "+> "), *byte_spans(dissection)]]
-    shown = len(so_far) if rest != "back" else len(data)
-    lines += field_lines(_only_from(dissection, shown))
-    lines += [[("bad", f"   ! {p.message} (byte {p.offset})")] for p in dissection.problems]
-    if dissection.next:
-        lines.append([("check", f"   {_running(dissection, data)}")])
-        lines.append([("verb", f"   next: {_what_next(dissection, data)}")])
-    else:
-        lines.append([("good", "   the packet is whole: send, or step back")])
-    return Outcome(lines=lines, data={"assembling": show_hex(data), "next": dissection.next})
-
-
-def _unfinished(session: Session, data: bytes) -> Dissection:
-    return dissect(data, protocol=None if len(data) > 3 else session.protocol, tables=session.table)
-
-
-def _only_from(dissection: Dissection, offset: int) -> Dissection:
-    fields = [part for part in dissection.fields if part.offset + len(part.data) > offset]
-    return Dissection(dissection.protocol, fields=fields)
-
-
-def _running(dissection: Dissection, data: bytes) -> str:
-    if dissection.protocol == 2:
-        return f"CRC so far: {show_hex(crc16(data).to_bytes(2, 'little'))}"
-    return f"checksum so far: {checksum(data[2:]):02X}"
-
-
-def _what_next(dissection: Dissection, data: bytes) -> str:
-    name = dissection.next
-    if name in ("checksum", "crc"):
-        covered = next((f.offset for f in dissection.fields if f.name == name), len(data))
-        right = right_check(data[:covered])
-        return f"{name}, and it should be {show_hex(right[len(data) - covered :])}"
-    if name == "header":
-        return "header: FF FF begins a packet (Protocol 2.0: FF FF FD 00)"
-    hints = {
-        "id": "which servo (FE: all)",
-        "length": "how many bytes follow",
-        "instruction": "what to do (01 PING, 02 READ, 03 WRITE ...)",
-        "address": "where in the control table",
-        "count": "how many bytes to read",
-    }
-    return f"{name}: {hints[name]}" if name in hints else name
-
-
-def walk_through(session: Session, data: bytes) -> Outcome:
-    """How a packet comes about, byte by byte, with the running check."""
-    whole = taken_apart(session, data)
-    lines: list[Line] = [[("arrow", "=> "), *byte_spans(whole), ("dim", "  not sent")]]
-    for part in whole.fields:
-        for index, byte in enumerate(part.data):
-            at = part.offset + index
-            running = _running(whole, data[: at + 1]) if part.name not in ("checksum", "crc") else ""
-            note = part.meaning if index == 0 else ""
-            lines.append(
-                [
-                    ("dim", f"   {at:>3}  "),
-                    (style_of(part.name), f"{byte:02X}  {part.name:<12}"),
-                    ("check", f" {running:<22}"),
-                    ("", f" {note}"),
-                ]
-            )
-    return Outcome(lines=lines, data={"packet": show_hex(data), **whole.as_json()})
-
-
 def scan(session: Session, rest: str) -> Outcome:
     """Find all servos."""
     found = session.scan()
@@ -261,65 +173,3 @@ def trace(session: Session, rest: str) -> Outcome:
         raise UsageError("usage: trace on|off")
     session.traced = rest == "on"
     return Outcome()
-
-
-def expect(session: Session, rest: str) -> Outcome:
-    """Fail unless the last exchange brought that."""
-    exchange = session.last
-    packets = exchange.packets()
-    if rest == "silence":
-        _demand(not exchange.answers, "silence", show_hex(exchange.received))
-    elif "=" in rest:
-        name, _, wanted = rest.partition("=")
-        _expect_value(session, exchange, packets, name.strip(), wanted.strip())
-    else:
-        _expect_bytes(exchange, rest)
-    return Outcome(lines=[[("good", f"as expected: {rest}")]])
-
-
-def _demand(holds: bool, wanted: str, got: str) -> None:
-    if not holds:
-        raise ExpectationError(f"expected {wanted}, got {got or 'silence'}")
-
-
-def _expect_bytes(exchange: Exchange, rest: str) -> None:
-    words = rest.replace(",", " ").split()
-    if not words:
-        raise UsageError("usage: expect BYTES|silence|error=E|REGISTER=VALUE|count=N")
-    pattern = [None if word == "??" else parse_hex(word) for word in words]
-    got = exchange.received
-    size = sum(1 if part is None else len(part) for part in pattern)
-    fits, at = len(got) == size, 0
-    for part in pattern:
-        width = 1 if part is None else len(part)
-        fits = fits and (part is None or got[at : at + width] == part)
-        at += width
-    _demand(fits, rest, show_hex(got))
-
-
-def _expect_value(
-    session: Session, exchange: Exchange, packets: list[Packet], name: str, wanted: str
-) -> None:
-    if name == "count":
-        _demand(str(len(packets)) == wanted, f"{wanted} answer(s)", str(len(packets)))
-        return
-    _demand(bool(packets), f"{name}={wanted}", show_hex(exchange.received))
-    if name == "error":
-        names = [text for p in packets for text in error_names(p.protocol, p.error or 0)]
-        right = wanted in names or wanted in {str(p.error) for p in packets}
-        _demand(right, f"error {wanted}", ", ".join(names) or "no error")
-        return
-    target, _, allowance = wanted.partition("+-")
-    for _, data in exchange.answers:
-        for part in taken_apart(session, data, exchange.request).fields:
-            if part.register == name and isinstance(part.value, int):
-                servo = packets[0].id
-                table = session.table(servo)
-                if table is None:
-                    continue
-                register = table.find(name)
-                off = abs(part.value - to_ticks(target, register))
-                allowed = abs(to_ticks(allowance, register)) if allowance else 0
-                _demand(off <= allowed, f"{name}={wanted}", register.describe(part.value))
-                return
-    raise ExpectationError(f"expected {name}={wanted}, but the answer holds no {name}")

@@ -1,23 +1,16 @@
-"""X series firmware: both protocols, PID loops, profiles, indirect addresses, shutdown until reboot."""
+"""X series firmware: what may be written, indirect addresses, watchdog, shutdown until reboot."""
 
 import math
-from struct import pack_into
 
 from kinlab.dynamixel.codec.instructions import ALERT, BACKUP_KEY, CLEAR_KEY, Parameters
-from kinlab.dynamixel.servo.firmware import LONGEST_STEP, Servo, Supply
-from kinlab.dynamixel.servo.motor import RPM
-from kinlab.dynamixel.servo.profile import Profile
+from kinlab.dynamixel.servo.firmware import Supply
+from kinlab.dynamixel.servo.x_motion import EXTENDED, POSITION, PWM, TURN, VELOCITY, XMotion
 from kinlab.dynamixel.tables import ControlTable, Register
 
 RESULT_FAIL, INSTRUCTION, RANGE, LENGTH, LIMIT, ACCESS = 1, 2, 4, 5, 6, 7
 RATES = (9600, 57600, 115200, 1_000_000, 2_000_000, 3_000_000, 4_000_000, 4_500_000)
-VELOCITY, POSITION, EXTENDED, PWM = 1, 3, 4, 16
-TURN = 4096
 FURTHEST = 256 * TURN - 1
-FULL_PWM = 885
 BOOT_TIME = 0.15  # s; assumed, the makers print none
-VELOCITY_TICK = 0.229 * RPM
-ACCELERATION_TICK = 214.577 * RPM / 60
 WATCHDOG_TICK = 0.02
 WATCHDOG_TRIPPED = 255
 GAINS = (
@@ -32,16 +25,13 @@ GAINS = (
 MODE_DEFAULTS = (*GAINS, "profile_acceleration", "profile_velocity", "goal_pwm")
 GOALS = frozenset({"goal_position", "goal_velocity", "goal_pwm"})
 INDIRECT = range(224, 662)
-IN_POSITION, FOLLOWING_ERROR = 20, 150  # ticks; assumed
 ERROR_BITS_IN_PROTOCOL_1 = (0, 1 << 6, 1 << 6, 1 << 4, 1 << 3, 1 << 3, 1 << 1, 1 << 3)
 BACKED_UP = frozenset((*GAINS, "profile_acceleration", "profile_velocity"))
 
 
-class XServo(Servo):
+class XServo(XMotion):
     """A servo of the X series; each axis of a 2XL430 is one."""
 
-    home_ticks = 2048
-    telemetry = range(120, 147)
     error_instruction = INSTRUCTION
     error_access = ACCESS
     registered = "registered_instruction"
@@ -153,14 +143,14 @@ class XServo(Servo):
     def settle(self, changed: list[Register]) -> None:
         memory = self.memory
         if len(changed) == 1 and changed[0].name == "goal_position" and not self._wakes:
-            self._aim()
+            self.aim()
             return
         names = {register.name for register in changed}
         for shared in names & {"baud_rate", "protocol_type"}:
             for axis in self.module:
                 axis.memory[shared] = memory[shared]
                 axis.take_over_eeprom()
-        if "operating_mode" in names and memory["operating_mode"] != self._mode:
+        if "operating_mode" in names and memory["operating_mode"] != self.mode:
             for name in MODE_DEFAULTS:
                 memory[name] = memory.initial(self.table.by_name[name])
             memory["goal_velocity"] = 0
@@ -168,7 +158,21 @@ class XServo(Servo):
             memory["torque_enable"] = 1
         if any(name.startswith("indirect_address") for name in names):
             self._map_indirect()
-        self._tune(retarget="goal_position" in names)
+        self._take_note(retarget="goal_position" in names)
+
+    def _take_note(self, retarget: bool = False) -> None:
+        """Let registers take effect: those that rule writing, and those that rule motion."""
+        memory = self.memory
+        watchdog = memory["bus_watchdog"]
+        watching = memory["torque_enable"] and watchdog not in (0, WATCHDOG_TRIPPED)
+        self._patience = watchdog * WATCHDOG_TICK if watching else math.inf
+        self._tripped = watchdog == WATCHDOG_TRIPPED
+        self._wakes = bool(memory["drive_mode"] >> 3 & 1)
+        if memory["operating_mode"] == POSITION:
+            self._goal_range = (memory["min_position_limit"], memory["max_position_limit"], LIMIT)
+        else:
+            self._goal_range = (-FURTHEST, FURTHEST, RANGE)
+        self.tune(retarget)
 
     def _map_indirect(self) -> None:
         """Where each indirect data byte really stands, for those that do not point to themselves."""
@@ -184,10 +188,7 @@ class XServo(Servo):
 
     def start_ram(self) -> None:
         memory = self.memory
-        self._booted = self.time
-        self._mode = memory["operating_mode"]
-        self._enabled = False
-        self._integral = 0.0
+        self.booted = self.time
         self._watchdog_due = math.inf
         self._indirect = {}
         if "startup_configuration" in memory:
@@ -196,10 +197,8 @@ class XServo(Servo):
                 self._take_over({n: v for n, v in self._backup.items() if n in BACKED_UP})
             memory["torque_enable"] = startup & 1
             memory["backup_ready"] = int(bool(self._backup))
-        self._drop_turns()
-        self.profile = Profile(self.position)
-        memory["goal_position"] = round(self.position)
-        self._tune()
+        self.stand_still()
+        self._take_note()
 
     def react(self, alarms: set[str]) -> None:
         memory = self.memory
@@ -207,7 +206,7 @@ class XServo(Servo):
         memory["hardware_error_status"] |= bits
         if bits & memory["shutdown"] and memory["torque_enable"]:
             memory["torque_enable"] = 0
-            self._tune()
+            self._take_note()
 
     def perform(self, instruction: str, parameters: Parameters) -> tuple[int, bytes] | None:
         option = parameters.head.get("option", 0xFF)
@@ -220,10 +219,10 @@ class XServo(Servo):
             case "CLEAR":
                 if option != 1 or key != CLEAR_KEY:
                     return RANGE, b""
-                if abs(self.plant.velocity) > self._moving_above:
+                if abs(self.plant.velocity) > self.moving_above:
                     return RESULT_FAIL, b""
-                self._drop_turns()
-                self._tune(retarget=True)
+                self.drop_turns()
+                self._take_note(retarget=True)
             case "CONTROL_TABLE_BACKUP" if self.table.backup:
                 return self._back_up(int(option), key), b""
             case _:
@@ -278,160 +277,5 @@ class XServo(Servo):
             for name in ("goal_velocity", "goal_pwm", "profile_velocity", "profile_acceleration"):
                 memory[name] = 0
             memory["goal_position"] = round(self.position)
-            self._tune(retarget=True)
+            self._take_note(retarget=True)
         super().advance(now)
-
-    # Motion.
-
-    @property
-    def position(self) -> float:
-        """Present Position, not rounded."""
-        return self._sign * self.plant.angle / self._radians_per_tick + self._offset
-
-    @property
-    def _sign(self) -> int:
-        return -1 if self.memory["drive_mode"] & 1 else 1
-
-    def _drop_turns(self) -> None:
-        """Count from the turn that the horn is in."""
-        self._radians_per_tick = math.tau / TURN
-        self._turns = math.floor(self.plant.angle / math.tau) * TURN
-        self._place_zero()
-
-    def _place_zero(self) -> None:
-        homing = self.memory["homing_offset"]
-        if self.memory["operating_mode"] == POSITION and abs(homing) > TURN // 4:
-            homing = 0
-        sign = self._sign
-        self._offset = (0 if sign > 0 else TURN) - sign * self._turns + homing
-
-    def _tune(self, retarget: bool = False) -> None:
-        """Turn the registers into what the control loop computes with."""
-        memory = self.memory
-        mode, enabled = memory["operating_mode"], bool(memory["torque_enable"])
-        if mode == POSITION and ((enabled and not self._enabled) or mode != self._mode):
-            self._drop_turns()
-        self._place_zero()
-        if (enabled and not self._enabled) or mode != self._mode:
-            self.profile.stop_at(self.position)
-            self._integral = 0.0
-            if not retarget:
-                memory["goal_position"] = round(self.position)
-            retarget = True
-        self._mode, self._enabled = mode, enabled
-        self.follows_position = mode in (POSITION, EXTENDED)
-        self._direction = self._sign
-        self._wakes = bool(memory["drive_mode"] >> 3 & 1)
-        watchdog = memory["bus_watchdog"]
-        watching = enabled and watchdog not in (0, WATCHDOG_TRIPPED)
-        self._patience = watchdog * WATCHDOG_TICK if watching else math.inf
-        self._tripped = watchdog == WATCHDOG_TRIPPED
-        if mode == POSITION:
-            self._goal_range = (memory["min_position_limit"], memory["max_position_limit"], LIMIT)
-        else:
-            self._goal_range = (-FURTHEST, FURTHEST, RANGE)
-        tick = self._radians_per_tick
-        speed, ramp = memory["profile_velocity"], memory["profile_acceleration"]
-        self._milliseconds = (speed, ramp) if memory["drive_mode"] >> 2 & 1 else None
-        self._profile = (speed * VELOCITY_TICK / tick, ramp * ACCELERATION_TICK / tick)
-        self._limit = min(abs(memory["goal_pwm"]), memory["pwm_limit"]) / FULL_PWM
-        self._goal_pwm = memory["goal_pwm"] / FULL_PWM
-        self._goal_velocity = memory["goal_velocity"] * VELOCITY_TICK
-        self._acceleration = memory["profile_acceleration"] * ACCELERATION_TICK
-        self._moving_above = memory["moving_threshold"] * VELOCITY_TICK
-        self._p = memory["position_p_gain"] / 128 / FULL_PWM
-        self._i = memory["position_i_gain"] / 65536 / FULL_PWM * 1000
-        self._d = memory["position_d_gain"] / 16 / FULL_PWM / 1000
-        self._vp = memory["velocity_p_gain"] / 128 / FULL_PWM / VELOCITY_TICK
-        self._vi = memory["velocity_i_gain"] / 65536 / FULL_PWM / VELOCITY_TICK * 1000
-        full_speed = self.table.no_load_rpm * RPM / self._radians_per_tick
-        if self.follows_position:
-            rate = full_speed * (self._p + self._d / self.NOMINAL_LAG)
-        else:
-            rate = full_speed * self._radians_per_tick * (self._vp / self.NOMINAL_LAG + self._vi)
-        self._period = max(0.0005, min(LONGEST_STEP, 0.5 / max(rate, 1e-6)))
-        if retarget:
-            self._aim()
-
-    NOMINAL_LAG = 0.02
-
-    def _aim(self) -> None:
-        """Start a profile towards the goal."""
-        goal = float(self.memory["goal_position"])
-        speed, ramp = self._profile
-        if self._milliseconds and self._milliseconds[0]:
-            whole = self._milliseconds[0]
-            part = min(self._milliseconds[1], whole / 2)
-            speed = abs(goal - self.profile.position) / (whole - part) * 1000
-            ramp = speed / part * 1000 if part else 0.0
-        self.profile.go_to(goal, speed, ramp)
-
-    def control(self, dt: float) -> float:
-        if not self._enabled:
-            return 0.0
-        if self.follows_position:
-            drive = self._position_loop(dt)
-        elif self._mode == VELOCITY:
-            drive = self._velocity_loop(dt)
-        else:
-            drive = self._goal_pwm
-        limit = self._limit
-        return self._direction * (limit if drive > limit else -limit if drive < -limit else drive)
-
-    def _position_loop(self, dt: float) -> float:
-        profile, plant, tick = self.profile, self.plant, self._radians_per_tick
-        if profile.position != profile.goal or profile.velocity:
-            profile.go_on(dt)
-        away = profile.position - (self._direction * plant.angle / tick + self._offset)
-        if self._i:
-            self._integral = max(-1.0, min(1.0, self._integral + self._i * away * dt))
-        faster = profile.velocity - self._direction * plant.velocity / tick
-        return self._p * away + self._integral + self._d * faster
-
-    def _velocity_loop(self, dt: float) -> float:
-        profile = self.profile
-        goal, most = self._goal_velocity, self._acceleration * dt
-        if most:
-            goal = profile.velocity + max(-most, min(most, goal - profile.velocity))
-        profile.velocity = goal
-        slower = goal - self._direction * self.plant.velocity
-        self._integral = max(-1.0, min(1.0, self._integral + self._vi * slower * dt))
-        return self._vp * slower + self._integral
-
-    def control_period(self) -> float:
-        return self._period
-
-    def measure(self) -> None:
-        plant, profile, tick, sign = self.plant, self.profile, self._radians_per_tick, self._direction
-        position = self.position
-        velocity = sign * plant.velocity
-        following = self.follows_position and self._enabled
-        trajectory = profile.velocity * tick if following else profile.velocity
-        status = (
-            (1 if following and abs(profile.goal - position) <= IN_POSITION else 0)
-            | (2 if following and not profile.done else 0)
-            | (8 if following and abs(profile.position - position) > FOLLOWING_ERROR else 0)
-            | profile.shape << 4
-        )
-        load = sign * plant.torque / self.table.stall_nm * 1000
-        pack_into(
-            "<HBBhhiiiiHB",
-            self.memory.bytes,
-            self.telemetry.start,
-            int((self.time - self._booted) * 1000) % 32768,
-            abs(velocity) > self._moving_above,
-            status,
-            round(sign * self.drive * FULL_PWM),
-            max(-1000, min(1000, round(load))),
-            round(velocity / VELOCITY_TICK),
-            _wrap(position),
-            round(trajectory / VELOCITY_TICK),
-            _wrap(profile.position),
-            max(0, round(self.volts * 10)),
-            max(0, min(255, round(self.health.temperature))),
-        )
-
-
-def _wrap(ticks: float) -> int:
-    """Ticks as a 32-bit counter shows them."""
-    return (round(ticks) + 0x80000000) % 0x100000000 - 0x80000000
