@@ -1,7 +1,6 @@
 """What several of these tests need: chains in other processes, buses in memory, the verified packets."""
 
 import csv
-import os
 import subprocess
 import sys
 import time
@@ -51,16 +50,15 @@ def bus_of() -> Callable[..., Bus]:
     return make
 
 
-def verified_packets() -> list[dict[str, str]]:
-    """Packets that manuals print, each with what it is."""
-    with (HERE / "packets.csv").open(encoding="utf-8", newline="") as file:
-        return list(csv.DictReader(file))
-
-
-def no_such_process(pid: int) -> bool:
-    """Whether a process has ended."""
-    try:
-        os.kill(pid, 0)
-    except ProcessLookupError:
-        return True
-    return False
+def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
+    """Packets that manuals print, as arguments: all of them, or the intact ones of a kind."""
+    wanted = {
+        "printed": lambda row: True,
+        "intact": lambda row: row["check"] == "ok" and row["kind"] != "fast",
+        "instruction": lambda row: row["check"] == "ok" and row["kind"] == "inst",
+    }
+    for name, fits in wanted.items():
+        if name in metafunc.fixturenames:
+            with (HERE / "packets.csv").open(encoding="utf-8", newline="") as file:
+                rows = [row for row in csv.DictReader(file) if fits(row)]
+            metafunc.parametrize(name, rows, ids=[row["description"] for row in rows])

@@ -72,6 +72,7 @@ class Bus:
         self._talk = Conversation(self.port, retries, echo)
         self._protocols = (protocol,) if protocol else (2, 1)
         self._known: dict[int, Found] = {}
+        self._taciturn: set[int] = set()  # servos that answer no orders
 
     def __enter__(self) -> "Bus":
         return self
@@ -288,8 +289,20 @@ class Bus:
     ) -> None:
         self._talk.tell(self._packet(protocol, BROADCAST, name, head, rows))
 
-    def _command(self, name: str, servo: int, head: Mapping[str, int | bytes]) -> None:
-        self._talk.ask(self._packet(self.known(servo).protocol, servo, name, head), name, 0)
+    def _command(
+        self, name: str, servo: int, head: Mapping[str, int | bytes], subject: str | None = None
+    ) -> None:
+        """Give an order; a servo whose Status Return Level says so does not answer it."""
+        packet = self._packet(self.known(servo).protocol, servo, name, head)
+        if servo in self._taciturn:
+            self._talk.tell(packet)
+            return
+        try:
+            self._talk.ask(packet, subject or name, 0)
+        except NoAnswerError:
+            if self.read(servo, "status_return_level") == 2:
+                raise
+            self._taciturn.add(servo)
 
     def _write(
         self, instruction: str, servo: int, name: str, value: int | float | str, unit: str | None
@@ -299,9 +312,10 @@ class Bus:
             raise UsageError(f"{register.name} can only be read")
         data = register.encode(to_ticks(value, register, unit))
         head: dict[str, int | bytes] = {"address": register.address, "data": data}
-        self._talk.ask(self._packet(self.known(servo).protocol, servo, instruction, head), register.name, 0)
-        if register.name in ("id", "protocol_type"):
+        self._command(instruction, servo, head, register.name)
+        if register.name in ("id", "protocol_type", "status_return_level"):
             self._known.clear()
+            self._taciturn.clear()
 
     def _read_bytes(self, protocol: int, servo: int, address: int, count: int, subject: str) -> bytes:
         packet = self._packet(protocol, servo, "READ", {"address": address, "count": count})
