@@ -4,7 +4,7 @@ import csv
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -15,7 +15,7 @@ HERE = Path(__file__).parent
 
 
 @pytest.fixture
-def emulate(tmp_path: Path) -> Iterator[Callable[..., Path]]:
+def emulate(tmp_path: Path):
     """Starts `kinlab emulate` with arguments; gives the link to its pty once that is there."""
     running: list[subprocess.Popen[str]] = []
 
@@ -26,10 +26,12 @@ def emulate(tmp_path: Path) -> Iterator[Callable[..., Path]]:
         wait_until(link.exists)
         return link
 
+    start.running = running
     yield start
     for process in running:
-        process.terminate()
-        process.communicate(timeout=10)
+        if process.poll() is None:
+            process.terminate()
+            process.communicate(timeout=10)
 
 
 def wait_until(holds: Callable[[], bool], seconds: float = 20.0) -> None:

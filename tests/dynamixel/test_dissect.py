@@ -105,7 +105,15 @@ def test_a_fast_answer_is_explained_servo_by_servo():
 @pytest.mark.parametrize("size", range(16))
 def test_an_unfinished_packet_says_what_comes_next(size):
     raw = bytes.fromhex("FF FF FD 00 01 09 00 03 74 00 00 02 00 00 CA 89")[:size]
-    expected = ["header"] * 4 + ["id"] + ["length"] * 2 + ["instruction"] + ["address"] * 2 + ["data"] * 4 + ["crc"] * 2
+    expected = (
+        ["header"] * 4
+        + ["id"]
+        + ["length"] * 2
+        + ["instruction"]
+        + ["address"] * 2
+        + ["data"] * 4
+        + ["crc"] * 2
+    )
     found = dissect(raw, protocol=2, tables=x)
     assert found.next == expected[size]
     assert not found.problems

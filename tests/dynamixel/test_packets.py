@@ -114,7 +114,17 @@ def test_errors_are_bits_in_protocol_1_and_numbers_in_protocol_2():
 
 def test_all_instructions_of_the_manuals_are_there():
     assert set(BY_NAME[1]) == {
-        *("PING", "READ", "WRITE", "REG_WRITE", "ACTION", "FACTORY_RESET", "REBOOT", "SYNC_WRITE", "BULK_READ")
+        *(
+            "PING",
+            "READ",
+            "WRITE",
+            "REG_WRITE",
+            "ACTION",
+            "FACTORY_RESET",
+            "REBOOT",
+            "SYNC_WRITE",
+            "BULK_READ",
+        )
     }
     assert {i.code for i in BY_NAME[2].values()} == {
         *(1, 2, 3, 4, 5, 6, 8, 0x10, 0x20, 0x82, 0x83, 0x8A, 0x92, 0x93, 0x9A)

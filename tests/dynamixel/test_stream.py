@@ -2,6 +2,7 @@
 
 import random
 import tracemalloc
+from itertools import pairwise
 
 import pytest
 from hypothesis import assume, given
@@ -17,14 +18,16 @@ NASTY = st.lists(st.sampled_from([0xFF, 0xFD, 0x00, 0x01, 0x02, 0x03, 0x55]), ma
 
 def frames(protocol):
     return st.lists(
-        st.builds(lambda i, c, p: encode(Packet(protocol, i, c, p)), st.integers(0, 252), st.integers(1, 9), NASTY),
+        st.builds(
+            lambda i, c, p: encode(Packet(protocol, i, c, p)), st.integers(0, 252), st.integers(1, 9), NASTY
+        ),
         max_size=8,
     )
 
 
 def chunks(data, cuts):
     edges = [0, *sorted(cut % (len(data) + 1) for cut in cuts), len(data)]
-    return [data[a:b] for a, b in zip(edges, edges[1:], strict=False)]
+    return [data[a:b] for a, b in pairwise(edges)]
 
 
 @PROTOCOLS
@@ -75,7 +78,9 @@ def test_lengths_that_cannot_be_hold_nothing_up():
     too_long = bytes.fromhex("FF FF FD 00 01") + (LONGEST + 1).to_bytes(2, "little")
     assert StreamParser(2).feed(too_long + good) == [good]
     assert StreamParser(2).feed(bytes.fromhex("FF FF FD 00 01 02 00") + good) == [good]
-    assert StreamParser(1).feed(bytes.fromhex("FF FF 01 01") + encode(Packet(1, 1, 1))) == [encode(Packet(1, 1, 1))]
+    assert StreamParser(1).feed(bytes.fromhex("FF FF 01 01") + encode(Packet(1, 1, 1))) == [
+        encode(Packet(1, 1, 1))
+    ]
 
 
 @PROTOCOLS

@@ -14,6 +14,7 @@ from kinlab.names import suggestion
 
 BITS_PER_BYTE = 10
 RATE_TOLERANCE = 0.03
+INSTANT = 1e-9  # s; less than any bit takes, more than rounding errors
 PING_ANSWER = 14  # bytes; a servo waits for those of all ids below its own when everybody is asked
 MANY = frozenset({"SYNC_READ", "BULK_READ", "FAST_SYNC_READ", "FAST_BULK_READ"})
 EEPROM_WRITES = attrgetter("eeprom_writes")
@@ -236,7 +237,7 @@ def collide(bursts: list[Burst]) -> list[Burst]:
     merged: list[Burst] = []
     for burst in sorted(bursts):
         last = merged[-1] if merged else None
-        if last is None or burst.start > max(last.end, last.start + 1e-9):
+        if last is None or burst.start > max(last.end - INSTANT, last.start + INSTANT):
             merged.append(burst)
             continue
         byte = (last.end - last.start) / len(last.data)

@@ -2,11 +2,20 @@
 
 import re
 import time
+from contextlib import suppress
 
 import serial
 
 from kinlab.dynamixel.chain import Clock, RealClock
 from kinlab.dynamixel.ports import PortError
+
+# A port that goes away shows in many ways: pyserial passes most of them on as they are.
+GONE: tuple[type[Exception], ...] = (serial.SerialException, OSError, TypeError)
+with suppress(ImportError):
+    import termios  # There is none where there are no Unix terminals.
+
+    GONE += (termios.error,)
+UNFIT = (*GONE, ValueError)
 
 
 class SerialPort:
@@ -22,7 +31,7 @@ class SerialPort:
         url = f"socket://{name}" if re.fullmatch(r"[\w.-]+:\d+", name) else name
         try:
             self._line = serial.serial_for_url(url, baudrate=baud, timeout=0, exclusive=True)
-        except (serial.SerialException, OSError, ValueError) as error:
+        except UNFIT as error:
             raise PortError(f"cannot open the port {name}: {_cause(error)}") from None
 
     @property
@@ -33,7 +42,7 @@ class SerialPort:
     def baud(self, bps: int) -> None:
         try:
             self._line.baudrate = bps
-        except (serial.SerialException, OSError, ValueError) as error:
+        except UNFIT as error:
             raise PortError(f"the port {self.name} cannot run at {bps} bps: {_cause(error)}") from None
         self._speed = bps
 
@@ -42,7 +51,7 @@ class SerialPort:
         try:
             self._line.reset_input_buffer()
             self._line.write(data)
-        except (serial.SerialException, OSError) as error:
+        except GONE as error:
             raise self._gone(error) from None
 
     def receive(self, deadline: float) -> bytes:
@@ -55,7 +64,7 @@ class SerialPort:
                 return b""
             self._line.timeout = 0
             rest: bytes = self._line.read(4096)
-        except (serial.SerialException, OSError, TypeError) as error:
+        except GONE as error:
             raise self._gone(error) from None
         return first + rest
 
@@ -75,6 +84,7 @@ def _cause(error: Exception) -> str:
         ("Permission denied", "you are not allowed to use it"),
         ("lock", "another program has it"),
         ("refused", "nothing listens there"),
+        ("Input/output error", "it was unplugged, or the chain behind it ended"),
     ):
         if sign in text:
             return words

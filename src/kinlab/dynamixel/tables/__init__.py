@@ -190,17 +190,25 @@ def table_of_number(number: int) -> ControlTable | None:
     return None
 
 
+def printed_differences(paper: str) -> list[dict[str, str]]:
+    """Where a paper prints something else than the manuals: where, item, printed, right, unit, cause."""
+    return _rows(paper)
+
+
+def _rows(name: str) -> list[dict[str, str]]:
+    with (HERE / f"{name}.csv").open(encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(file))
+
+
 @cache
 def _figures() -> dict[str, dict[str, str]]:
-    with (HERE / "models.csv").open(encoding="utf-8", newline="") as file:
-        return {row["model"]: row for row in csv.DictReader(file)}
+    return {row["model"]: row for row in _rows("models")}
 
 
 @cache
 def _load(model: str) -> ControlTable:
     figures = _figures()[model]
-    with (HERE / f"{model}.csv").open(encoding="utf-8", newline="") as file:
-        registers = [r for row in csv.DictReader(file) for r in _expand(_register(row))]
+    registers = [register for row in _rows(model) for register in _expand(_register(row))]
     return ControlTable(
         model=model,
         number=int(figures["number"]),
