@@ -58,7 +58,10 @@ def test_no_command_shows_help(kinlab):
 
 def test_python_m_kinlab_is_the_same_program():
     done = subprocess.run(
-        [sys.executable, "-m", "kinlab", "fk", "udiebot", "0", "0", "0"], capture_output=True, text=True, check=False
+        [sys.executable, "-m", "kinlab", "fk", "udiebot", "0", "0", "0"],
+        capture_output=True,
+        text=True,
+        check=False,
     )
     assert done.returncode == 0
     assert "(360, 0, 0) mm" in done.stdout

@@ -47,9 +47,7 @@ def test_body_keeps_the_feet_where_they_are(kinlab):
     assert set(found["legs"]) == {"R1", "R2", "R3", "L1", "L2", "L3"}
     at_rest = kinlab("body", "krsri-hexapod", "--json").json
     # Rotations keep the distances between feet.
-    moved, rest = (
-        np.array([leg["foot_mm"] for leg in data["legs"].values()]) for data in (found, at_rest)
-    )
+    moved, rest = (np.array([leg["foot_mm"] for leg in data["legs"].values()]) for data in (found, at_rest))
     assert np.linalg.norm(moved[:, None] - moved, axis=-1) == pytest.approx(
         np.linalg.norm(rest[:, None] - rest, axis=-1)
     )

@@ -2,6 +2,7 @@
 
 import json
 import re
+from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any, get_args, get_origin
@@ -63,17 +64,16 @@ def _convert(value: Any, annotation: Any, param: Any, ctx: Any) -> Any:
     return annotation(value)
 
 
+def convert_plainly(params: Iterable[Any]) -> None:
+    """Have Typer's parameters convert by `PlainParam`: its own way imports pydantic, which takes longer
+    than all else that `kinlab ik` does."""
+    for param in params:
+        kind = param.type_descriptor
+        param._runtime_param = PlainParam(kind.parameter_info, kind.annotation)
+
+
 class NumericCommand(TyperCommand):
     """A command for which a token that looks like a number is never an option: `ik udiebot -20 35 -60`."""
-
-    def __init__(self, name: str | None, **settings: Any) -> None:
-        super().__init__(name, **settings)
-        for param in self.params:
-            # Typer's own conversion imports pydantic, which takes longer than all that `kinlab ik` does.
-            known: Any = param
-            known._runtime_param = PlainParam(
-                known.type_descriptor.parameter_info, known.type_descriptor.annotation
-            )
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
         takes: dict[str, int] = {}
@@ -97,6 +97,7 @@ class NumericCommand(TyperCommand):
             wanted = takes.get(token, 0)
             options += rest[:wanted]
             del rest[:wanted]
+        convert_plainly(self.get_params(ctx))
         return super().parse_args(ctx, [*options, "--", *values])
 
 

@@ -7,6 +7,7 @@ import typer
 from typer.core import TyperGroup
 
 import kinlab as package
+from kinlab.cli.command import convert_plainly
 
 COMMANDS = {
     "tour": "the whole path once, in ten seconds: the first thing to run",
@@ -25,6 +26,10 @@ class LazyGroup(TyperGroup):
         super().__init__(**attrs)
         # Typer takes the names from here for "did you mean".
         self.commands: Any = dict.fromkeys(COMMANDS)
+
+    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
+        convert_plainly(self.get_params(ctx))
+        return super().parse_args(ctx, args)
 
     def list_commands(self, ctx: Any) -> list[str]:
         return list(COMMANDS)

@@ -59,7 +59,7 @@ def ik(
 
     from kinlab.errors import UsageError
     from kinlab.robots import load_robot
-    from kinlab.robots.report import compare_methods, solve_target
+    from kinlab.robots.target import solve_target
     from kinlab.units import to_metres
 
     if len(target) != 3:
@@ -74,6 +74,8 @@ def ik(
     turned = (0.0, 0.0, yaw) if yaw is not None else rpy
     attitude = None if turned is None else np.radians(turned)
     if compare:
+        from kinlab.robots.methods import compare_methods
+
         report = compare_methods(machine, which, point, frame=frame, rpy=attitude)
         if json:
             print_json(report.to_json())

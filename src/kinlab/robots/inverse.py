@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kinlab.errors import UsageError
-from kinlab.kinematics import chain, numeric
+from kinlab.kinematics import chain
 from kinlab.kinematics.blocks import blocks
 from kinlab.kinematics.transforms import Array, homogeneous, wrap
 from kinlab.robots.model import Limb
@@ -121,6 +121,8 @@ def fit_limits(limb: Limb, q: Array) -> Array:
 
 def _iterate(limb: Limb, target: Array, rotation: Array | None) -> tuple[Array, Array]:
     """Solutions of a chain that has no closed form: Levenberg-Marquardt from many starts, the distinct ones kept."""
+    from kinlab.kinematics import numeric
+
     rng = np.random.default_rng(0)
     lower, upper = limb.limits
     starts = np.vstack([(lower + upper) / 2, rng.uniform(lower, upper, (STARTS - 1, len(lower)))])
