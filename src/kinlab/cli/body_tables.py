@@ -19,7 +19,7 @@ def show_answer(answer: Stand, printed: Any, *, asked: bool) -> None:
         )
     )
     joints = ", ".join(answer.robot.legs[0].joint_names)
-    found = table("legs over fixed feet", "leg", ("foot", "mm"), (joints, "deg"), ("servo commands", ""))
+    found = table("legs over fixed feet", "leg", ("foot", "mm"), f"{joints} [deg]", "servo commands")
     beyond = []
     for name, leg in data["legs"].items():
         foot = place(leg["foot_mm"], 2)
