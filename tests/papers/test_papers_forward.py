@@ -137,7 +137,8 @@ def test_roll_and_pitch_turn_the_right_way_about_the_wrong_point():
 
 def test_json_holds_numbers_and_null_alone():
     robot, _, _ = standing()
-    json.dumps(body_as_printed(robot, (0.01, 0, 0), (0, 0.1, 0)).to_json(), allow_nan=False)
+    for forwards in (0.01, 1e200):
+        json.dumps(body_as_printed(robot, (forwards, 0, 0), (0, 0.1, 0)).to_json(), allow_nan=False)
     for name, limb in [*CHAINS, ("udiebot", "LF")]:
         which = load_robot(name).limb(limb)
         for form in forms(name, limb, np.full(len(which.joints), 0.3)):

@@ -296,7 +296,7 @@ def test_out_of_the_plane_the_misprint_keeps_the_arm_from_arriving():
 @pytest.mark.parametrize("robot", ["xl430-hexapod", "krsri-hexapod", "udiebot", "eros", "receptionist-arm"])
 def test_json_holds_numbers_and_null_alone(robot):
     machine, limb = limb_of(robot)
-    for target in ([0.1, 0.02, -0.08], [0, 0, 0], [5, 5, 5]):
+    for target in ([0.1, 0.02, -0.08], [0, 0, 0], [5, 5, 5], [1e5, 0, 0], [1e200, 1e200, 0]):
         for variant in as_printed(machine, limb, target):
             found = variant.to_json(limb, "body")
             json.dumps(found, allow_nan=False)

@@ -40,6 +40,9 @@ FORWARD: dict[str, tuple[ForwardEquations, ...]] = {
     "receptionist-arm": (receptionist_arm.PRODUCT, receptionist_arm.MULTIPLIED),
 }
 
+# A target farther away (m) only overflows: no limb is a millionth as long.
+FARTHEST_M = 1e6
+
 
 def as_printed(
     robot: Robot,
@@ -88,6 +91,8 @@ def _inverse(
         more["heading"] = float(np.arctan2(attitude[1, 0], attitude[0, 0]))
 
     def solve(letter_for_letter: Printed) -> tuple[Array, str]:
+        if not np.abs(point).max() <= FARTHEST_M:
+            raise NotComputable("no equation has a value for a target so far away")
         q, remark = equations.solve(point, lengths, letter_for_letter, **more)
         # A left leg whose paper counts y forwards on both sides turns its coxa the other way.
         return (q * [-1, 1, 1] if mirrored else q), remark
@@ -184,7 +189,7 @@ def body_as_printed(robot: Robot, xyz: ArrayLike, rpy: ArrayLike) -> BodyAsPrint
 
     def off(printed: Printed) -> Array:
         moved = krsri_hexapod.body(feet, hips, xyz, rpy, printed)
-        return np.asarray(np.linalg.norm(moved - true, axis=1))
+        return np.asarray(np.hypot.reduce(moved - true, axis=1))
 
     def cost(misprint: Misprint) -> tuple[float, str]:
         return float(off(frozenset([misprint.equation])).max()), misprint.remark
@@ -224,4 +229,4 @@ def _join(*remarks: str) -> str:
 
 
 def _distance(a: Array, b: Array) -> float:
-    return float(np.linalg.norm(a - b))
+    return float(np.hypot.reduce(a - b))
