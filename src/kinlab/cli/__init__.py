@@ -1,5 +1,6 @@
 """The command line: `kinlab COMMAND ...`. Each command stands in a module of its own, imported when it is used."""
 
+import gc
 import sys
 
 from kinlab.errors import KinlabError
@@ -10,6 +11,8 @@ def main(args: list[str] | None = None) -> None:
 
     0 done, 1 the job failed, 2 wrong usage, 130 interrupted.
     """
+    # Starting makes a hundred thousand objects and no garbage; looking for it would take a tenth of the time.
+    gc.set_threshold(100_000)
     from kinlab.cli.commands import kinlab
 
     # Consoles that cannot encode a degree sign or a braille dot get a substitute, not a crash.

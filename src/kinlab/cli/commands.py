@@ -7,6 +7,7 @@ import typer
 from typer.core import TyperGroup
 
 import kinlab as package
+from kinlab.cli.command import converted_plainly
 
 COMMANDS = {
     "tour": "the whole path once, in ten seconds: the first thing to run",
@@ -24,6 +25,9 @@ class LazyGroup(TyperGroup):
     def __init__(self, **attrs: Any) -> None:
         super().__init__(**attrs)
         self.commands = dict.fromkeys(COMMANDS)  # type: ignore[arg-type]
+
+    def get_params(self, ctx: Any) -> list[Any]:
+        return converted_plainly(super().get_params(ctx))
 
     def list_commands(self, ctx: Any) -> list[str]:
         return list(COMMANDS)
