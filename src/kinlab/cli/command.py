@@ -2,7 +2,6 @@
 
 import json
 import re
-from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any, get_args, get_origin
@@ -64,16 +63,19 @@ def _convert(value: Any, annotation: Any, param: Any, ctx: Any) -> Any:
     return annotation(value)
 
 
-def convert_plainly(params: Iterable[Any]) -> None:
-    """Have Typer's parameters convert by `PlainParam`: its own way imports pydantic, which takes longer
-    than all else that `kinlab ik` does."""
+def converted_plainly(params: list[Any]) -> list[Any]:
+    """`params` without Typer's own conversion: it imports pydantic, which takes longer than all of `kinlab ik`."""
     for param in params:
-        kind = param.type_descriptor
-        param._runtime_param = PlainParam(kind.parameter_info, kind.annotation)
+        described = param.type_descriptor
+        param._runtime_param = PlainParam(described.parameter_info, described.annotation)
+    return params
 
 
 class NumericCommand(TyperCommand):
     """A command for which a token that looks like a number is never an option: `ik udiebot -20 35 -60`."""
+
+    def get_params(self, ctx: Any) -> list[Any]:
+        return converted_plainly(super().get_params(ctx))
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
         takes: dict[str, int] = {}
@@ -97,7 +99,6 @@ class NumericCommand(TyperCommand):
             wanted = takes.get(token, 0)
             options += rest[:wanted]
             del rest[:wanted]
-        convert_plainly(self.get_params(ctx))
         return super().parse_args(ctx, [*options, "--", *values])
 
 

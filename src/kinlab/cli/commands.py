@@ -7,7 +7,7 @@ import typer
 from typer.core import TyperGroup
 
 import kinlab as package
-from kinlab.cli.command import convert_plainly
+from kinlab.cli.command import converted_plainly
 
 COMMANDS = {
     "tour": "the whole path once, in ten seconds: the first thing to run",
@@ -27,9 +27,8 @@ class LazyGroup(TyperGroup):
         # Typer takes the names from here for "did you mean".
         self.commands: Any = dict.fromkeys(COMMANDS)
 
-    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
-        convert_plainly(self.get_params(ctx))
-        return super().parse_args(ctx, args)
+    def get_params(self, ctx: Any) -> list[Any]:
+        return converted_plainly(super().get_params(ctx))
 
     def list_commands(self, ctx: Any) -> list[str]:
         return list(COMMANDS)

@@ -36,17 +36,6 @@ class BodyPose:
         return f"<BodyPose of {', '.join(self.legs)}: {'all' if self.reachable.all() else 'not all'} feet in reach>"
 
 
-def standing_feet(robot: Robot) -> Array:
-    """Where the feet stand (L, 3), in the body frame, metres.
-
-    Raises:
-        UsageError: the robot has no legs.
-    """
-    if not robot.legs:
-        raise UsageError(f"{robot.name} has no legs to stand on")
-    return np.stack([leg.from_limb(leg.stance, "body") for leg in robot.legs if leg.stance is not None])
-
-
 def body_pose(robot: Robot, xyz: ArrayLike, rpy: ArrayLike, feet: ArrayLike | None = None) -> BodyPose:
     """The legs' joint angles when the body moves by `xyz` and turns by `rpy` over fixed feet.
 
@@ -61,7 +50,9 @@ def body_pose(robot: Robot, xyz: ArrayLike, rpy: ArrayLike, feet: ArrayLike | No
     Raises:
         UsageError: the robot has no legs.
     """
-    feet = standing_feet(robot) if feet is None else np.asarray(feet, float)
+    if not robot.legs:
+        raise UsageError(f"{robot.name} has no legs to stand on")
+    feet = robot.standing_feet if feet is None else np.asarray(feet, float)
     R = rpy_to_rotation(rpy)
     return legs_ik(robot, feet_from_body(feet, xyz, R), R)
 
@@ -80,8 +71,7 @@ def legs_ik(robot: Robot, feet: ArrayLike, turned: ArrayLike | None = None) -> B
     if robot.equal_legs is not None:
         q, reachable = leg_ik(local, *robot.equal_legs)
         lower, upper = robot.leg_limits
-        fits = ((q >= lower - LIMIT_SLACK) & (q <= upper + LIMIT_SLACK)).all(axis=-1)
-        if fits.all():
+        if ((q >= lower - LIMIT_SLACK) & (q <= upper + LIMIT_SLACK)).all():
             return BodyPose(names, feet, q, reachable)
     if len({len(leg.joints) for leg in legs}) > 1:
         raise UsageError(f"the legs of {robot.name} differ in their number of joints")

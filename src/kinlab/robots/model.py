@@ -214,6 +214,11 @@ class Robot:
         return inverse(np.stack([leg.mount for leg in self.legs]))
 
     @cached_property
+    def standing_feet(self) -> Array:
+        """Where the feet stand (L, 3), in the body frame, metres."""
+        return np.array([leg.from_limb(leg.stance, "body") for leg in self.legs if leg.stance is not None])
+
+    @cached_property
     def leg_limits(self) -> Array:
         """Lower and upper limits (2, L, n) of the legs' joints, in rad."""
         return np.stack([leg.limits for leg in self.legs], axis=1)

@@ -258,7 +258,10 @@ def _reason(limb: Limb, target: Array, poses: tuple[PoseReport, ...], exists: Ar
     if form is not None and form.kind == "leg":
         coxa, femur, tibia = (length * 1000 for length in form.lengths)
         r, h = np.hypot(*target[:2]) * 1000 - coxa, target[2] * 1000
-        distance, rest = np.hypot(r, h), f"from the femur's joint, and femur and tibia reach {femur + tibia:.1f} mm"
+        distance, rest = (
+            np.hypot(r, h),
+            f"from the femur's joint, and femur and tibia reach {femur + tibia:.1f} mm",
+        )
         if distance < abs(femur - tibia):
             rest = f"from the femur's joint, and the folded leg keeps {abs(femur - tibia):.1f} mm away"
         return f"out of reach: {distance:.1f} mm {rest}"
