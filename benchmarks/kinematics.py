@@ -84,7 +84,17 @@ class Reference:
     def __init__(self, folder: Path, compiler: str, count: int) -> None:
         library = folder / "reference.so"
         source = Path(__file__).with_name("reference.c")
-        command = [compiler, "-O3", "-march=native", "-shared", "-fPIC", str(source), "-o", str(library), "-lm"]
+        command = [
+            compiler,
+            "-O3",
+            "-march=native",
+            "-shared",
+            "-fPIC",
+            str(source),
+            "-o",
+            str(library),
+            "-lm",
+        ]
         subprocess.run(command, check=True)
         self.library = ctypes.CDLL(str(library))
         self.foot, self.q = targets(count)
@@ -182,8 +192,19 @@ def start_up(rounds: int) -> list[Result]:
     run(command), run(bare)
     ratio, own = paired(lambda: run(command), lambda: run(bare), rounds)
     return [
-        Result("cold start of `kinlab ik ... --json`", ratio, 1.5, note=f"import numpy, typer = 1; {own * 1e3:.0f} ms"),
-        Result("heavy modules that `kinlab --help` imports", len(heavy_modules()), 0, "", ", ".join(heavy_modules())),
+        Result(
+            "cold start of `kinlab ik ... --json`",
+            ratio,
+            1.5,
+            note=f"import numpy, typer = 1; {own * 1e3:.0f} ms",
+        ),
+        Result(
+            "heavy modules that `kinlab --help` imports",
+            len(heavy_modules()),
+            0,
+            "",
+            ", ".join(heavy_modules()),
+        ),
     ]
 
 
@@ -225,7 +246,9 @@ def toolbox_solver(start: Array) -> tuple[str, Callable[[Array], Array]]:
     import roboticstoolbox as rtb
 
     c, f, t = LENGTHS
-    leg = rtb.ET.Rz() * rtb.ET.tx(c) * rtb.ET.Ry(flip=True) * rtb.ET.tx(f) * rtb.ET.Ry(flip=True) * rtb.ET.tx(t)
+    leg = (
+        rtb.ET.Rz() * rtb.ET.tx(c) * rtb.ET.Ry(flip=True) * rtb.ET.tx(f) * rtb.ET.Ry(flip=True) * rtb.ET.tx(t)
+    )
     mask = np.array([1.0, 1, 1, 0, 0, 0])
     T = np.eye(4)
 
@@ -244,7 +267,9 @@ def pinocchio_solver(start: Array) -> tuple[str, Callable[[Array], Array]]:
     joint, offset = 0, np.zeros(3)
     for axis, link in zip(AXES, LINKS, strict=True):
         placement = pin.SE3(np.eye(3), offset)
-        joint = model.addJoint(joint, pin.JointModelRevoluteUnaligned(np.array(axis, float)), placement, f"j{joint}")
+        joint = model.addJoint(
+            joint, pin.JointModelRevoluteUnaligned(np.array(axis, float)), placement, f"j{joint}"
+        )
         offset = np.array(link)
     tip = model.addFrame(pin.Frame("tip", joint, pin.SE3(np.eye(3), offset), pin.FrameType.OP_FRAME))
     data = model.createData()

@@ -1,7 +1,7 @@
 """Drawing with characters: lines in braille dots, marks and labels on top; text out, for any face and any test.
 
-A dot is as wide as it is high on a terminal whose cells are twice as high as wide, so that one scale
-serves both directions and nothing looks stretched.
+A dot is as wide as high on a terminal whose cells are twice as high as wide, so that one scale serves
+both directions and nothing looks stretched.
 """
 
 from collections.abc import Callable, Iterable, Sequence
@@ -25,7 +25,7 @@ class Canvas:
         self.columns, self.rows, self.ascii_only = columns, rows, ascii_only
         xs, ys = zip(*points, strict=True)
         wide, high = max(xs) - min(xs), max(ys) - min(ys)
-        self._per_dot = max(wide / (2 * columns - 6), high / (4 * rows - 6), 1e-12)
+        self._per_dot: float = max(wide / (2 * columns - 6), high / (4 * rows - 6), 1e-12)
         self._centre = ((max(xs) + min(xs)) / 2, (max(ys) + min(ys)) / 2)
         self._bits = [[0] * columns for _ in range(rows)]
         self._chars: dict[tuple[int, int], str] = {}
@@ -34,7 +34,7 @@ class Canvas:
     @property
     def cell_width(self) -> float:
         """How much of the world one character is wide, in its unit."""
-        return 2 * self._per_dot
+        return 2.0 * self._per_dot
 
     def line(self, start: Point, end: Point, role: str, *, dashed: bool = False) -> None:
         """A straight line; `role` names what it is, for a face to colour."""
@@ -73,7 +73,7 @@ class Canvas:
             (row + 1, column + 1),
         ]
         for r, c in places:
-            inside = 0 <= r < self.rows and 0 <= c and c + len(text) <= self.columns
+            inside = 0 <= r < self.rows and c >= 0 and c + len(text) <= self.columns
             if inside and not any(
                 (r, c + i) in self._chars or self._bits[r][c + i] for i in range(len(text))
             ):

@@ -64,7 +64,7 @@ def _convert(value: Any, annotation: Any, param: Any, ctx: Any) -> Any:
 
 
 def converted_plainly(params: list[Any]) -> list[Any]:
-    """`params` without Typer's own conversion: that imports pydantic, which takes longer than all of `kinlab ik`."""
+    """`params` without Typer's own conversion: it imports pydantic, which takes longer than all of `kinlab ik`."""
     for param in params:
         described = param.type_descriptor
         param._runtime_param = PlainParam(described.parameter_info, described.annotation)

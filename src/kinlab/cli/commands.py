@@ -24,7 +24,8 @@ class LazyGroup(TyperGroup):
 
     def __init__(self, **attrs: Any) -> None:
         super().__init__(**attrs)
-        self.commands = dict.fromkeys(COMMANDS)  # type: ignore[arg-type]
+        # Typer takes the names from here for "did you mean".
+        self.commands: Any = dict.fromkeys(COMMANDS)
 
     def get_params(self, ctx: Any) -> list[Any]:
         return converted_plainly(super().get_params(ctx))

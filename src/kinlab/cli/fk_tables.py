@@ -6,7 +6,7 @@ from rich.table import Table
 from rich.text import Text
 
 from kinlab.cli.show import drawing, number, place, show, table
-from kinlab.robots.report import PoseOfTip
+from kinlab.robots.tip import PoseOfTip
 
 
 def show_answer(answer: PoseOfTip, *, dh: bool, jacobian: bool, printed: Any) -> None:

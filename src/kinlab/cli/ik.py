@@ -59,7 +59,7 @@ def ik(
 
     from kinlab.errors import UsageError
     from kinlab.robots import load_robot
-    from kinlab.robots.report import compare_methods, solve_target
+    from kinlab.robots.target import solve_target
     from kinlab.units import to_metres
 
     if len(target) != 3:
@@ -71,8 +71,11 @@ def ik(
     machine = load_robot(robot, robots)
     which = machine.limb(limb)
     point = to_metres(target, unit)
-    attitude = None if rpy is None and yaw is None else np.radians(rpy or (0.0, 0.0, yaw))
+    turned = (0.0, 0.0, yaw) if yaw is not None else rpy
+    attitude = None if turned is None else np.radians(turned)
     if compare:
+        from kinlab.robots.methods import compare_methods
+
         report = compare_methods(machine, which, point, frame=frame, rpy=attitude)
         if json:
             print_json(report.to_json())

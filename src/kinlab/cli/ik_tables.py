@@ -1,12 +1,16 @@
 """What `kinlab ik` prints for people."""
 
+from typing import Any
+
 from rich.table import Table
 from rich.text import Text
 
 from kinlab.cli.show import drawing, number, place, show, table
 from kinlab.papers import AsPrinted, measured
 from kinlab.papers import as_printed as evaluate
-from kinlab.robots.report import MethodComparison, PoseReport, TargetReport, angles_deg
+from kinlab.robots import Limb
+from kinlab.robots.methods import MethodComparison
+from kinlab.robots.target import PoseReport, TargetReport, angles_deg
 
 
 def show_answer(answer: TargetReport, *, every: bool, as_printed: bool, trace: bool) -> None:
@@ -47,7 +51,7 @@ def angles_table(answer: TargetReport, pose: PoseReport) -> Table:
     for joint, angle in angles_deg(answer.limb, pose.q).items():
         servo = pose.servos.get(joint)
         if servo is None:
-            found.add_row(joint, f"{angle:.4f}", "not printed in the paper", "", "")
+            found.add_row(joint, f"{angle:.4f}", "not printed", "", "")
         else:
             command = "beyond its range" if servo.command is None else f"{servo.command} {servo.unit}"
             found.add_row(
@@ -97,9 +101,8 @@ def _variant(answer: TargetReport, variant: AsPrinted) -> Table:
     found.add_row("why", variant.note)
     for fault in variant.faults:
         cost = f"costs {fault.cost_m * 1000:.4f} mm by itself" if fault.cost_m is not None else fault.reason
-        found.add_row(
-            f"equation {fault.equation}", f"{fault.printed}   should be   {fault.corrected}   ({cost})"
-        )
+        what = f"equation {fault.equation}" if fault.equation[0].isdigit() else fault.equation
+        found.add_row(what, f"{fault.printed}   should be   {fault.corrected}   ({cost})")
     return found
 
 
@@ -107,16 +110,19 @@ def _trace(answer: TargetReport) -> Table:
     run = answer.attempt
     assert run is not None
     found = table(
-        f"{run.method}: {run.reason}",
-        ("step", ""),
-        ("residual", "mm"),
-        *((j, "deg") for j in answer.limb.joint_names),
-        "note",
+        f"{run.method}: {run.reason}", ("step", ""), ("residual", "mm"), _joints(answer.limb), "note"
     )
     for i, step in enumerate(run.trace):
-        angles = (f"{a:.4f}" for a in angles_deg(answer.limb, step.q).values())
-        found.add_row(str(i), f"{step.residual_m * 1000:.3e}", *angles, step.note)
+        found.add_row(str(i), f"{step.residual_m * 1000:.3e}", _angles(answer.limb, step.q), step.note)
     return found
+
+
+def _joints(limb: Limb) -> str:
+    return f"{', '.join(limb.joint_names)} [deg]"
+
+
+def _angles(limb: Limb, q: Any) -> str:
+    return ", ".join(f"{a:.3f}" for a in angles_deg(limb, q).values())
 
 
 def show_comparison(report: MethodComparison) -> None:
@@ -127,16 +133,16 @@ def show_comparison(report: MethodComparison) -> None:
         "method",
         ("steps", ""),
         ("residual", "mm"),
-        *((j, "deg") for j in report.limb.joint_names),
+        _joints(report.limb),
         "outcome",
     )
     exact = report.closed
-    if exact is not None:
-        angles = (f"{a:.3f}" for a in angles_deg(report.limb, exact.q).values())
-        found.add_row("closed form", "0", f"{exact.error_m * 1000:.1e}", *angles, exact.name)
+    if exact is None:
+        found.add_row("closed form", "", "", "", report.no_closed_form)
     else:
-        found.add_row("closed form", "", "", *("" for _ in report.limb.joints), report.no_closed_form)
+        angles = _angles(report.limb, exact.q)
+        found.add_row("closed form", "0", f"{exact.error_m * 1000:.1e}", angles, exact.name)
     for run in report.runs:
-        angles = (f"{a:.3f}" for a in angles_deg(report.limb, run.q).values())
-        found.add_row(run.method, str(run.iterations), f"{run.residual_m * 1000:.1e}", *angles, run.reason)
+        angles = _angles(report.limb, run.q)
+        found.add_row(run.method, str(run.iterations), f"{run.residual_m * 1000:.1e}", angles, run.reason)
     show("", found)

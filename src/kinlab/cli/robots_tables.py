@@ -33,7 +33,8 @@ def show_list(robots: list[Robot]) -> None:
     for robot in robots:
         models = sorted({servo.model.name for servo in robot.servos})
         joints = sum(len(limb.joints) for limb in robot.limbs.values())
-        facts = f"{robot.kind}, {joints} joints: {', '.join(robot.limbs)}; {' and '.join(models) or 'servos not printed'}"
+        servos = " and ".join(models) or "servos not printed"
+        facts = f"{robot.kind}, {joints} joints: {', '.join(robot.limbs)}; {servos}"
         found.add_row(Text(robot.name, style="bold"), f"{robot.title}\n{facts}")
     show(found)
     show("", "One of them in full: kinlab robots NAME")

@@ -22,9 +22,14 @@ STYLES = {
 }
 
 
+def console() -> Console:
+    """Where people look: as wide as the terminal, colours only where it has them."""
+    return Console(highlight=False)
+
+
 def show(*parts: RenderableType) -> None:
-    """Print tables and text for people: as wide as the terminal, colours only where it has them."""
-    out = Console(highlight=False)
+    """Print tables and text for people."""
+    out = console()
     for part in parts:
         if isinstance(part, Table) and part.title:
             # Rich would fold a title to the width of its table.
@@ -41,7 +46,7 @@ def table(title: str, *columns: str | tuple[str, str]) -> Table:
             name, unit = column
             found.add_column(Text(f"{name} [{unit}]" if unit else name), justify="right", no_wrap=True)
         else:
-            found.add_column(column, overflow="fold")
+            found.add_column(column, overflow="fold", min_width=min(len(column), 12))
     return found
 
 
@@ -68,7 +73,7 @@ def number(value: float, digits: int = 3) -> str:
 
 def drawing(limb: Limb, q: Any, target: Any) -> RenderableType:
     """The limb from the side and from the top, where the terminal has room and can draw; else nothing."""
-    out = Console()
+    out = console()
     if out.width < 60:
         return Text("")
     width = min(38, out.width // 2 - 2)
@@ -99,10 +104,10 @@ def picture(canvas: Canvas) -> RenderableType:
 def section(name: str, cut: Section, limb: Limb) -> list[RenderableType]:
     """A section of a workspace: reachable places filled, the first joint and the stance marked."""
     canvas = Canvas(
-        min(76, Console().width),
+        min(76, console().width),
         18,
         [(float(x), float(y)) for x in cut.across[[0, -1]] for y in cut.up[[0, -1]]] + [(0.0, 0.0)],
-        ascii_only=not Console().encoding.lower().startswith("utf"),
+        ascii_only=not console().encoding.lower().startswith("utf"),
     )
     canvas.fill(cut.holds, "link0")
     canvas.mark((0.0, 0.0), "o" if canvas.ascii_only else "●", "joint")

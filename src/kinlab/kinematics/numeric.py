@@ -12,7 +12,6 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from kinlab.errors import UsageError
 from kinlab.kinematics import chain
 from kinlab.kinematics.transforms import Array, rotation_vector, wrap
 from kinlab.names import resolve

@@ -36,7 +36,7 @@ def shoulder_arm_ik(tip: ArrayLike, upper: float, fore: float) -> tuple[Array, A
     elbow = np.arctan2(Y, X - upper)
     # The hand's distance from the plane of both axes follows from (h, Y) as well as from (X, z); the
     # pair of larger numbers leaves the smaller error in it.
-    depth2 = np.where(Y < np.abs(X), (h - Y) * (h + Y), (X - z) * (X + z))
+    depth2 = np.where(np.abs(X) > Y, (h - Y) * (h + Y), (X - z) * (X + z))
     depth = np.sqrt(np.maximum(depth2, 0))
     solutions = []
     for side in (1.0, -1.0):

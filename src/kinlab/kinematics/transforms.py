@@ -65,7 +65,7 @@ def rotation_vector(R: ArrayLike) -> Array:
     norm = np.linalg.norm(column, axis=-1)
     obtuse = np.divide(angle, norm, out=np.zeros_like(angle), where=norm > 0)[..., None] * column
     acute = np.divide(angle, 2 * sine, out=np.full_like(angle, 0.5), where=sine > 1e-9)[..., None] * skew
-    return np.where(cosine[..., None] < 0, obtuse, acute)
+    return np.asarray(np.where(cosine[..., None] < 0, obtuse, acute))
 
 
 def homogeneous(R: ArrayLike, p: ArrayLike) -> Array:

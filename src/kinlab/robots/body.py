@@ -12,8 +12,8 @@ from kinlab.kinematics.leg import leg_ik
 from kinlab.kinematics.transforms import Array, apply, rpy_to_rotation
 from kinlab.robots.inverse import LIMIT_SLACK, inverse_kinematics
 from kinlab.robots.model import Robot
-from kinlab.robots.report import angles_deg, read_servos, solve_target
-from kinlab.units import finite
+from kinlab.robots.target import angles_deg, read_servos, solve_target
+from kinlab.units import check_place, finite
 
 
 @dataclass(frozen=True, repr=False)
@@ -130,7 +130,7 @@ def stand(robot: Robot, xyz_mm: ArrayLike, rpy_deg: ArrayLike) -> Stand:
     Raises:
         UsageError: numbers that are not finite, or a robot without legs.
     """
-    finite(xyz_mm, "a displacement's numbers")
-    finite(rpy_deg, "angles")
     xyz, rpy = np.asarray(xyz_mm, float) / 1000, np.radians(rpy_deg)
+    check_place(xyz, "a displacement's numbers")
+    finite(rpy, "angles")
     return Stand(robot, xyz, rpy, body_pose(robot, xyz, rpy))

@@ -100,7 +100,7 @@ def build_robot(name: str, spec: RobotSpec, models: dict[str, ServoModel]) -> Ro
 def _limbs(name: str, group: Group, models: dict[str, ServoModel]) -> list[Limb]:
     figures = {k: _length(k, v, (name, k)) for k, v in group.lengths.items()}
     specs = LEG if group.joints == "leg" else list(group.joints)
-    joints = _joints(name, group, specs, figures)  # type: ignore[arg-type]
+    joints = _joints(name, group, specs, figures)
     dimensions = list(figures.values())
     stance = None
     if group.stance is not None:
@@ -124,7 +124,7 @@ def _limbs(name: str, group: Group, models: dict[str, ServoModel]) -> list[Limb]
                 stance,
                 *_paper_axes(axes, axes_place),
                 tuple(dimensions),
-            )  # fmt: skip
+            )
         )
     return limbs
 
@@ -145,12 +145,13 @@ def _joints(
     used: set[str] = set()
     joints = []
     for i, spec in enumerate(specs):
-        link = np.zeros(3)
+        link = [0.0, 0.0, 0.0]
         for direction, term in spec.link.items():
             key = term.removeprefix("-")
             if key not in figures:
                 if group.joints == "leg":
-                    raise SpecError((name,), f"'{key}' is missing: the length of the {key} in mm")
+                    near = suggestion(key, [f for f in figures if f not in {s.name for s in LEG}])
+                    raise SpecError((name,), f"'{key}' is missing: the length of the {key} in mm{near}")
                 raise SpecError(
                     (name, "joints", i, "link"), f"no length is named '{key}'{suggestion(key, figures)}"
                 )
@@ -160,7 +161,7 @@ def _joints(
         mass = group.masses.get(spec.name)
         kg = _mass(spec.name, mass, (name, "masses", spec.name)).value / 1000 if mass is not None else None  # type: ignore[operator]
         axis = _axis(spec.axis, (name, "joints", i, "axis"))
-        joints.append(Joint(spec.name, axis, tuple(link.tolist()), lower, upper, source, mass=kg))
+        joints.append(Joint(spec.name, axis, (link[0], link[1], link[2]), lower, upper, source, mass=kg))
     for key in figures:
         if key not in used:
             known = [*used, *(f for f in Group.__struct_fields__ if f != "lengths")]

@@ -9,7 +9,7 @@ from kinlab.robots.provenance import Dimension, Provenance
 
 
 def describe(robot: Robot) -> dict[str, Any]:
-    """Everything about a robot, JSON-ready, in mm, degrees and grams; `source` and `why` beside each figure."""
+    """Everything about a robot, in mm, degrees and grams; `source` and `why` beside each figure."""
     return {
         "robot": robot.name,
         "title": robot.title,

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kinlab.errors import UsageError
-from kinlab.kinematics import chain, numeric
+from kinlab.kinematics import chain
 from kinlab.kinematics.blocks import blocks
 from kinlab.kinematics.transforms import Array, homogeneous, wrap
 from kinlab.robots.model import Limb
@@ -83,7 +83,7 @@ def inverse_kinematics(limb: Limb, target: ArrayLike, rotation: ArrayLike | None
     R = np.eye(3) if rotation is None else np.asarray(rotation, float)
     lead = np.broadcast_shapes(target.shape[:-1], R.shape[:-2] if posed else ())
     target = np.broadcast_to(target, (*lead, 3)).reshape(-1, 3)
-    R = np.broadcast_to(R, (*lead, 3, 3)).reshape(-1, 3, 3) if posed else None
+    attitudes = np.broadcast_to(R, (*lead, 3, 3)).reshape(-1, 3, 3) if posed else None
 
     form = limb.closed_form
     names = form.names if form else tuple(f"solution {i + 1}" for i in range(STARTS))
@@ -94,7 +94,7 @@ def inverse_kinematics(limb: Limb, target: ArrayLike, rotation: ArrayLike | None
     within = np.zeros((count, len(names)), dtype=bool)
     chosen = np.empty(count, dtype=int)
     for rows in blocks(count):
-        R_rows = None if R is None else R[rows]
+        R_rows = None if attitudes is None else attitudes[rows]
         if form is None:
             found, exists[rows] = _iterate(limb, target[rows], R_rows)
         elif form.needs_pose:
@@ -128,6 +128,8 @@ def fit_limits(limb: Limb, q: Array) -> Array:
 
 def _iterate(limb: Limb, target: Array, rotation: Array | None) -> tuple[Array, Array]:
     """Solutions of a chain that has no closed form: Levenberg-Marquardt from many starts, the distinct ones kept."""
+    from kinlab.kinematics import numeric
+
     rng = np.random.default_rng(0)
     lower, upper = limb.limits
     n = len(lower)

@@ -2,11 +2,11 @@
 
 import math
 import os
+import re
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
-from types import MappingProxyType
-from typing import Any
+from typing import Any, get_args
 
 import msgspec
 
@@ -15,7 +15,7 @@ from kinlab.names import resolve, suggestion
 from kinlab.robots import yaml_source
 from kinlab.robots.build import SpecError, build_robot, build_servo_model
 from kinlab.robots.model import Robot
-from kinlab.robots.schema import Group, RobotSpec, ServoModelSpec
+from kinlab.robots.schema import Axis, Group, Kind, Protocol, RobotSpec, ServoModelSpec
 from kinlab.robots.servo import ServoModel
 from kinlab.shipped import shipped
 
@@ -32,6 +32,10 @@ _EXPECTED = {
     "stance": "a place [x, y, z] in mm",
     "ids": "a servo id",
     "sign": "1 or -1",
+    "joints": "'leg' or a list of joints",
+    "axis": f"{', '.join(get_args(Axis))} or three numbers",
+    "kind": f"one of {', '.join(get_args(Kind))}",
+    "protocol": f"one of {', '.join(get_args(Protocol))}",
 }
 _TYPES = {
     "object": "a mapping", "array": "a list", "str": "a text", "float": "a number", "int": "a whole number",
@@ -58,7 +62,7 @@ def load_robot(name: str, file: str | os.PathLike[str] | None = None) -> Robot:
 
 
 def load_robots(file: str | os.PathLike[str] | None = None) -> dict[str, Robot]:
-    """All robots by name: KinLab's own, with those of `file` (default `$KINLAB_ROBOTS`) added or put in place."""
+    """All robots by name: KinLab's own, those of `file` (default `$KINLAB_ROBOTS`) added or in their place."""
     source = _Source.of(file)
     return {name: source.robot(name) for name in source.names()}
 
@@ -177,24 +181,19 @@ def _convert(data: Any, kind: Any, path: str, tree: Any, at: tuple[Any, ...]) ->
 
 def _follow(data: Any, kind: Any, trail: str, message: str) -> Iterator[Any]:
     """The keys along msgspec's trail, `.legs[...].mm[0]`, in which `[...]` stands for some key of a mapping."""
-    whole, current, path = data, data, []
-    for token in trail.replace("[", ".[").split(".")[1:] if trail else []:
-        if token == "[" or not token:
-            continue
-        key: Any = token
-        if token == "[":
-            continue
-        if token.startswith("["):
-            key = int(token[1:-1]) if token[1:-1].isdigit() else None
-        if key is None:
-            key = next(
-                (k for k in current if _fails(_only(whole, path, k), kind, message)), next(iter(current))
-            )
-        path.append(key)
+    path: list[Any] = []
+    current = data
+    for name, index in re.findall(r"\.([^.[]+)|\[(\d+|\.\.\.)\]", trail):
+        if name:
+            key: Any = name
+        elif index.isdigit():
+            key = int(index)
+        else:
+            # The key whose value alone brings the same complaint.
+            key = next(k for k in current if _fails(_only(data, path, k), kind, message))
         yield key
-        current = current[key] if not isinstance(current, dict) or key in current else None
-        if current is None:
-            return
+        path.append(key)
+        current = current[key]
 
 
 def _only(data: Any, path: list[Any], key: str) -> Any:
@@ -223,9 +222,13 @@ def _message(path: str, tree: Any, at: tuple[Any, ...], place: tuple[Any, ...], 
     if problem.startswith("Object missing required field"):
         return f"{_where(path, tree, (*at, *keys))}: '{problem.split('`')[1]}' is missing"
     names = [k for k in place if isinstance(k, str)]
+    if len(names) > 1 and names[-1] == "mm" and names[-2] in _EXPECTED and place[-1] == "mm":
+        names.pop()
     last = names[-1] if names else ""
     if "lengths" in place[-2:] or (len(place) > 1 and place[0] == "body"):
         expected: str | None = "a length in mm"
+    elif "paper_axes" in names[:-1]:
+        expected = ", ".join(get_args(Axis))
     else:
         expected = _EXPECTED.get(last)
     if keys and keys[-1] == "mm":
@@ -278,15 +281,7 @@ def _quoted(value: Any) -> str:
     if isinstance(value, dict):
         return "a mapping"
     if isinstance(value, list):
-        text = str(list(value))
-        return text if len(text) < 60 else f"a list of {len(value)}"
-    return (
-        {None: "nothing", True: "yes", False: "no"}.get(value, str(value))
-        if value in (None, True, False)
-        else str(value)
-    )
-
-
-def all_servo_models() -> MappingProxyType[str, ServoModel]:
-    """Every servo model that the shipped robots file knows, by name."""
-    return MappingProxyType(_Source.of(None).models())
+        return str(list(value)) if len(str(list(value))) < 60 else f"a list of {len(value)}"
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    return "nothing" if value is None else str(value)

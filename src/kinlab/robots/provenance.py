@@ -8,7 +8,7 @@ KINDS = ("printed", "inferred", "assumed")
 
 @dataclass(frozen=True)
 class Provenance:
-    """`printed` in the paper, `inferred` from it, or `assumed`; and the place, the reasoning or the reason."""
+    """`printed` in the paper, `inferred` from it, or `assumed`; and the place, or the reason."""
 
     kind: Literal["printed", "inferred", "assumed"]
     text: str

@@ -5,6 +5,8 @@ from typing import Literal
 from msgspec import Struct, field
 
 Axis = Literal["x", "y", "z", "-x", "-y", "-z"]
+Kind = Literal["hexapod", "quadruped", "humanoid", "arm"]
+Protocol = Literal["1.0", "2.0", "pwm"]
 
 
 class Sourced(Struct, forbid_unknown_fields=True, kw_only=True):
@@ -38,7 +40,7 @@ class PaperAxes(Sourced):
 
 
 class ServoModelSpec(Sourced):
-    protocol: Literal["1.0", "2.0", "pwm"]
+    protocol: Protocol
     positions: tuple[int, int]
     deg_per_step: float
     torque_nm: float
@@ -82,7 +84,7 @@ class RobotSpec(Struct, forbid_unknown_fields=True):
     """A robot; keys that are not named here are its groups of limbs."""
 
     title: str = ""
-    kind: Literal["hexapod", "quadruped", "humanoid", "arm"] = "arm"
+    kind: Kind = "arm"
     paper: str | None = None
     mass: Mass | float | None = None
     body: dict[str, float | Length] = {}

@@ -96,6 +96,7 @@ class _Builder:
     def build(self, text: str) -> Mapping:
         loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
         for event in yaml.parse(text, Loader=loader):
+            assert event.start_mark is not None
             line = event.start_mark.line + 1
             if isinstance(event, yaml.DocumentStartEvent):
                 self.documents += 1
@@ -127,13 +128,13 @@ class _Builder:
     def scalar(self, event: yaml.ScalarEvent, line: int) -> Any:
         tag = event.tag
         if tag in (None, "!"):
-            tag = _RESOLVER.resolve(yaml.ScalarNode, event.value, event.implicit)
+            tag = _RESOLVER.resolve(yaml.ScalarNode, event.value, event.implicit)  # type: ignore[no-untyped-call]
         kind = tag.removeprefix(_PREFIX)
         if kind not in _KINDS:
             raise self.fail(line, f"tag {tag} is not allowed; a robots file is plain data")
         if kind in ("str", "timestamp", "merge"):
             return _Merge() if kind == "merge" else event.value
-        node = yaml.ScalarNode(tag, event.value, event.start_mark, event.end_mark)
+        node = yaml.ScalarNode(tag, event.value)
         try:
             return _CONSTRUCTOR.construct_object(node)
         except (ValueError, KeyError, OverflowError, yaml.YAMLError):

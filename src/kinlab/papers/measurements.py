@@ -27,7 +27,7 @@ class Measured:
 def measured(robot: Robot, limb: Limb, target: ArrayLike) -> Measured | None:
     """What the paper measured for `target` (3,), limb frame, metres: its own row, else the mean of all rows.
 
-    None for robots whose paper measured no foot. xl430-hexapod, Tables 2 (targets) and 3 (reached).
+    None for robots whose paper measured no foot. Source: xl430-hexapod, Tables 2 and 3.
     """
     if robot.paper != "xl430-hexapod" or limb.group != "legs":
         return None
