@@ -101,9 +101,8 @@ def test_the_chosen_solution_is_the_first_within_the_limits(limb):
 @a_few
 def test_a_target_that_only_forbidden_poses_reach_is_refused_and_its_solutions_still_listed(limb):
     """Nothing is clipped: a pose at its limit would be somewhere else."""
-    lower, upper = limb.limits
     rng = np.random.default_rng(5)
-    T = limb.fk(rng.uniform(-np.pi, np.pi, (count(limb, 2000), len(lower))))
+    T = limb.fk(rng.uniform(-np.pi, np.pi, (count(limb, 2000), len(limb.joints))))
     found = answer(limb, T)
     refused = found.exists & ~found.reachable
     assert refused.any()

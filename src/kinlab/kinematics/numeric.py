@@ -143,8 +143,8 @@ def levenberg_marquardt(problem: Problem, q: Array, e: Array, memory: dict[str, 
     J = problem.jacobian(q)
     A, g = J.T @ J, J.T @ e
     scale = float(np.diag(A).max())
-    # Below the rounding of A it would not keep a singular A invertible.
-    damping = max(memory.get("damping", 1e-3 * scale), 1e-14 * scale)
+    # Below the rounding of A it would not keep a singular A invertible, nor an A of zeros at zero.
+    damping = max(memory.get("damping", 1e-3 * scale), 1e-14 * scale, 1e-300)
     growth = 2.0
     for _ in range(HALVINGS):
         dq = np.linalg.solve(A + damping * np.eye(len(q)), g)

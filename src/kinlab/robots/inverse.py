@@ -142,7 +142,7 @@ def _iterate(limb: Limb, target: Array, rotation: Array | None) -> tuple[Array, 
         for start in _apart(samples[np.argsort(np.linalg.norm(tips - target[i], axis=1))]):
             found = numeric.solve(
                 limb.axes, limb.links, target[i], start,
-                method="lm", rotation=R, tolerance_m=POLISHED_M, max_iterations=60,
+                method="lm", rotation=R, tolerance_m=POLISHED_M, max_iterations=100,
             )  # fmt: skip
             near = [np.abs(wrap(found.q - other)).max() < SAME for other in kept]
             if found.residual_m < EXACT_M and not any(near):

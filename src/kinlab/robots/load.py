@@ -15,7 +15,7 @@ from kinlab.names import resolve, suggestion
 from kinlab.robots import yaml_source
 from kinlab.robots.build import SpecError, build_robot, build_servo_model
 from kinlab.robots.model import Robot
-from kinlab.robots.schema import Axis, Group, Kind, Protocol, RobotSpec, ServoModelSpec
+from kinlab.robots.schema import Axis, Group, Kind, Length, Protocol, RobotSpec, ServoModelSpec
 from kinlab.robots.servo import ServoModel
 from kinlab.shipped import shipped
 
@@ -31,6 +31,7 @@ _EXPECTED = {
     "at": "a place [x, y, z] in mm",
     "stance": "a place [x, y, z] in mm",
     "ids": "a servo id",
+    "positions": "two whole numbers [lowest, highest]",
     "sign": "1 or -1",
     "joints": "'leg' or a list of joints",
     "axis": f"{', '.join(get_args(Axis))} or three numbers",
@@ -159,7 +160,12 @@ def _with_groups(data: Any, path: str, tree: yaml_source.Mapping, at: tuple[Any,
                 f"{_where(path, tree, (*at, name))}: expected a group of limbs, got {_quoted(group)}{near}"
             )
         known = {k: v for k, v in group.items() if k in Group.__struct_fields__ and k != "lengths"}
-        groups[name] = {**known, "lengths": {k: v for k, v in group.items() if k not in known}}
+        lengths = {k: v for k, v in group.items() if k not in known}
+        for key, value in lengths.items():
+            if isinstance(value, dict) and not set(value) & set(Length.__struct_fields__):
+                near = suggestion(key, [f for f in Group.__struct_fields__ if f != "lengths"])
+                raise FileError(f"{_where(path, tree, (*at, name, key))}: no such field{near}")
+        groups[name] = {**known, "lengths": lengths}
     return {**fixed, "groups": groups}
 
 
@@ -227,6 +233,8 @@ def _message(path: str, tree: Any, at: tuple[Any, ...], place: tuple[Any, ...], 
     last = names[-1] if names else ""
     if "lengths" in place[-2:] or (len(place) > 1 and place[0] == "body"):
         expected: str | None = "a length in mm"
+    elif "limits" in names:
+        expected = "two angles [lowest, highest] in deg"
     elif "paper_axes" in names[:-1]:
         expected = ", ".join(get_args(Axis))
     else:
