@@ -19,7 +19,7 @@ def ik_picture() -> str:
     out = Console(record=True, width=96, force_terminal=True, color_system="truecolor", file=io.StringIO())
     show.console = lambda: out
     robot = load_robot("xl430-hexapod")
-    out.print("$ kinlab ik xl430-hexapod 75 10 -46 --limb R1", style="bold")
+    out.print("$ kinlab ik xl430-hexapod 75 10 -46 --limb R1", style="bold", highlight=False)
     answer = solve_target(robot, robot.limbs["R1"], [0.075, 0.010, -0.046])
     show_answer(answer, every=False, as_printed=False, trace=False)
     svg = out.export_svg(title="kinlab ik")

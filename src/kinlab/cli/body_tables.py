@@ -4,6 +4,7 @@ from typing import Any
 
 from rich.text import Text
 
+from kinlab.cli.printed import printed_table
 from kinlab.cli.show import place, sentences, show, table
 from kinlab.robots.body import Stand
 
@@ -39,7 +40,9 @@ def show_answer(answer: Stand, printed: Any, *, asked: bool) -> None:
         show("", "the paper prints no equations for the pose of the body")
         return
     shown = printed.to_json()
-    beside = table(f"as printed: {shown['where']}", "leg", ("printed foot", "mm"), ("off by", "mm"))
+    beside = table(
+        "where the paper's equations put the feet", "leg", ("printed foot", "mm"), ("off by", "mm")
+    )
     for name, leg in shown["legs"].items():
         beside.add_row(name, place(leg["foot_mm"], 2), f"{leg['error_mm']:.3f}")
-    show("", beside, shown["note"])
+    show("", beside, "", printed_table(shown))

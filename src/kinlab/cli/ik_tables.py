@@ -5,6 +5,7 @@ from typing import Any
 from rich.table import Table
 from rich.text import Text
 
+from kinlab.cli.printed import printed_table
 from kinlab.cli.show import drawing, number, place, show, table
 from kinlab.papers import AsPrinted, measured
 from kinlab.papers import as_printed as evaluate
@@ -33,7 +34,7 @@ def show_answer(answer: TargetReport, *, every: bool, as_printed: bool, trace: b
         show("", errors_table(answer, chosen, printed), "", drawing(answer.limb, chosen.q, answer.target))
     if as_printed:
         for variant in printed:
-            show("", _variant(answer, variant))
+            show("", printed_table(variant.to_json(answer.limb, answer.frame)))
 
 
 def _heading(robot: str, limb: str, target_mm: list[float], frame: str) -> Text:
@@ -87,22 +88,6 @@ def errors_table(answer: TargetReport, pose: PoseReport, printed: tuple[AsPrinte
         found.add_row(
             "as the paper measured", f"{paper.error_mm:.4f}", f"{paper.where}: x {x}, y {y}, z {z} mm off"
         )
-    return found
-
-
-def _variant(answer: TargetReport, variant: AsPrinted) -> Table:
-    shown = variant.to_json(answer.limb, answer.frame)
-    angles = ", ".join(f"{k} {v:.4f}" for k, v in (shown["angles_deg"] or {}).items()) or "none"
-    found = table(f"as printed, {variant.variant}: {variant.where}", "", "")
-    found.show_header = False
-    found.add_row("angles [deg]", angles)
-    if variant.error_m is not None:
-        found.add_row("lands", f"at {place(shown['fk_mm'])} mm, {shown['error_mm']:.4f} mm off")
-    found.add_row("why", variant.note)
-    for fault in variant.faults:
-        cost = f"costs {fault.cost_m * 1000:.4f} mm by itself" if fault.cost_m is not None else fault.reason
-        what = f"equation {fault.equation}" if fault.equation[0].isdigit() else fault.equation
-        found.add_row(what, f"{fault.printed}   should be   {fault.corrected}   ({cost})")
     return found
 
 
