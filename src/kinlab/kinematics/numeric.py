@@ -142,7 +142,9 @@ def levenberg_marquardt(problem: Problem, q: Array, e: Array, memory: dict[str, 
     """Gauss-Newton with damping that grows when a step fails and shrinks when it succeeds (Nielsen 1999)."""
     J = problem.jacobian(q)
     A, g = J.T @ J, J.T @ e
-    damping = memory.setdefault("damping", 1e-3 * float(np.diag(A).max()))
+    scale = float(np.diag(A).max())
+    # Below the rounding of A it would not keep a singular A invertible, nor an A of zeros at zero.
+    damping = max(memory.get("damping", 1e-3 * scale), 1e-14 * scale, 1e-300)
     growth = 2.0
     for _ in range(HALVINGS):
         dq = np.linalg.solve(A + damping * np.eye(len(q)), g)

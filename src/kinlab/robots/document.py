@@ -31,6 +31,7 @@ _EXPECTED = {
     "at": "a place [x, y, z] in mm",
     "stance": "a place [x, y, z] in mm",
     "ids": "a servo id",
+    "positions": "two whole numbers [lowest, highest]",
     "sign": "1 or -1",
     "joints": "'leg' or a list of joints",
     "axis": f"{', '.join(get_args(Axis))} or three numbers",
@@ -113,7 +114,12 @@ class Document:
                 near = suggestion(key, fields)
                 raise self.error((*at, key), f"expected a group of limbs, got {_quoted(group)}{near}")
             known = {k: v for k, v in group.items() if k in Group.__struct_fields__ and k != "lengths"}
-            groups[key] = {**known, "lengths": {k: v for k, v in group.items() if k not in known}}
+            lengths = {k: v for k, v in group.items() if k not in known}
+            for field, value in lengths.items():
+                if isinstance(value, dict) and not set(value) & set(schema.Length.__struct_fields__):
+                    near = suggestion(field, [f for f in Group.__struct_fields__ if f != "lengths"])
+                    raise self.error((*at, key, field), f"no such field{near}")
+            groups[key] = {**known, "lengths": lengths}
         fixed = {k: v for k, v in data.items() if k in fields}
         return self.convert({**fixed, "groups": groups}, RobotSpec, at)
 
@@ -143,6 +149,8 @@ def _expected(place: Place, problem: str) -> str:
         names.pop()
     if "lengths" in place[-2:] or (len(place) > 1 and place[0] == "body"):
         return "a length in mm"
+    if "limits" in names:
+        return "two angles [lowest, highest] in deg"
     if "paper_axes" in names[:-1]:
         return ", ".join(get_args(Axis))
     if names and names[-1] in _EXPECTED:

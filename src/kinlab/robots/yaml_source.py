@@ -5,6 +5,7 @@ whatever tags a file carries; aliases are shared, never copied; nesting, size an
 are refused with the line at which they stand.
 """
 
+import re
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +18,8 @@ MAX_DEPTH = 20
 MAX_VALUES = 100_000
 
 _PREFIX = "tag:yaml.org,2002:"
+# What a terminal would obey instead of showing.
+_CONTROL = re.compile("[\\x00-\\x08\\x0b-\\x1f\\x7f-\\x9f]")
 _KINDS = ("str", "int", "float", "bool", "null", "timestamp", "merge")
 
 
@@ -50,8 +53,8 @@ def read_text(path: Path) -> str:
     try:
         with path.open("rb") as file:
             raw = file.read(MAX_BYTES + 1)
-    except OSError as error:
-        raise FileError(f"{path}: {error.strerror or error}") from None
+    except (OSError, ValueError) as error:
+        raise FileError(f"{path}: {getattr(error, 'strerror', None) or error}") from None
     if len(raw) > MAX_BYTES:
         raise FileError(f"{path}: larger than {MAX_BYTES // 1000} kB, which no robots file needs to be")
     try:
@@ -126,6 +129,8 @@ class _Builder:
         return self.root
 
     def scalar(self, event: yaml.ScalarEvent, line: int) -> Any:
+        if _CONTROL.search(event.value):
+            raise self.fail(line, f"control characters are not allowed, got {event.value[:40]!r}")
         tag = event.tag
         if tag in (None, "!"):
             tag = _RESOLVER.resolve(yaml.ScalarNode, event.value, event.implicit)  # type: ignore[no-untyped-call]
@@ -136,9 +141,13 @@ class _Builder:
             return _Merge() if kind == "merge" else event.value
         node = yaml.ScalarNode(tag, event.value)
         try:
-            return _CONSTRUCTOR.construct_object(node)
-        except (ValueError, KeyError, OverflowError, yaml.YAMLError):
+            value = _CONSTRUCTOR.construct_object(node)
+            # Beyond this an int is no float any more, and from 4300 digits on not even text.
+            if isinstance(value, int):
+                float(value)
+        except (ValueError, LookupError, OverflowError, yaml.YAMLError):
             raise self.fail(line, f"'{event.value[:40]}' is not a valid {kind}") from None
+        return value
 
     def add(self, value: Any, line: int, anchor: str | None) -> None:
         if anchor is not None:
@@ -170,7 +179,7 @@ class _Builder:
     def key(self, value: Any, parent: Mapping, line: int) -> str:
         if isinstance(value, _Merge):
             return "<<"
-        if not isinstance(value, str):
+        if not isinstance(value, str) or not value:
             raise self.fail(line, f"a key must be a name, got {value!r}"[:80])
         if value in parent and value not in parent.merged:
             raise self.fail(line, f"'{value}' stands here twice; first in line {parent.lines[value]}")
