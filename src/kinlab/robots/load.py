@@ -15,7 +15,22 @@ from kinlab.names import resolve, suggestion
 from kinlab.robots import yaml_source
 from kinlab.robots.build import SpecError, build_robot, build_servo_model
 from kinlab.robots.model import Robot
-from kinlab.robots.schema import Axis, Group, Kind, Length, Protocol, RobotSpec, ServoModelSpec
+from kinlab.robots.schema import (
+    Axis,
+    Group,
+    JointSpec,
+    Kind,
+    Length,
+    Mass,
+    Member,
+    Mounting,
+    PaperAxes,
+    Point,
+    Protocol,
+    Range,
+    RobotSpec,
+    ServoModelSpec,
+)
 from kinlab.robots.servo import ServoModel
 from kinlab.shipped import shipped
 
@@ -250,13 +265,14 @@ def _message(path: str, tree: Any, at: tuple[Any, ...], place: tuple[Any, ...], 
     return f"{_where(path, tree, (*at, *keys))}: expected {expected}, got {_quoted(value)}"
 
 
-def _fields(place: tuple[Any, ...]) -> list[str]:
-    """The fields that the struct at `place` of a robot takes."""
-    from kinlab.robots import schema
-
-    kinds = {"members": schema.Member, "joints": schema.JointSpec, "mountings": schema.Mounting}
-    kind: Any = next((kinds[k] for k in place if k in kinds), schema.Length)
-    return list(kind.__struct_fields__)
+def _fields(place: tuple[Any, ...]) -> tuple[str, ...]:
+    """The fields of what stands at `place` of a robot; of a servo model where the place is empty."""
+    kinds = {
+        "at": Point, "body": Length, "joints": JointSpec, "lengths": Length, "limits": Range, "mass": Mass,
+        "masses": Mass, "members": Member, "mountings": Mounting, "paper_axes": PaperAxes, "stance": Point,
+    }  # fmt: skip
+    kind: Any = next((kinds[k] for k in reversed(place) if k in kinds), ServoModelSpec)
+    return kind.__struct_fields__  # type: ignore[no-any-return]
 
 
 def _value_at(value: Any, place: tuple[Any, ...]) -> Any:
