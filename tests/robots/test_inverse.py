@@ -6,7 +6,8 @@ import pytest
 import kinlab
 from kinlab.errors import UsageError
 from kinlab.kinematics.transforms import rpy_to_rotation
-from kinlab.robots.inverse import LIMIT_SLACK, nearest
+from kinlab.robots.inverse import nearest
+from kinlab.robots.model import LIMIT_SLACK
 
 ROBOTS = kinlab.load_robots()
 LIMBS = {f"{robot.name} {limb.name}": limb for robot in ROBOTS.values() for limb in robot.limbs.values()}

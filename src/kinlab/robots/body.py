@@ -10,7 +10,7 @@ from kinlab.errors import UsageError
 from kinlab.kinematics.body import feet_from_body
 from kinlab.kinematics.leg import leg_ik
 from kinlab.kinematics.transforms import Array, apply, rpy_to_rotation
-from kinlab.robots.inverse import LIMIT_SLACK, inverse_kinematics
+from kinlab.robots.inverse import inverse_kinematics
 from kinlab.robots.model import Robot
 from kinlab.robots.target import angles_deg, read_servos, solve_target
 from kinlab.units import check_place, finite
@@ -70,8 +70,8 @@ def legs_ik(robot: Robot, feet: ArrayLike, turned: ArrayLike | None = None) -> B
     names = tuple(leg.name for leg in legs)
     if robot.equal_legs is not None:
         q, reachable = leg_ik(local, *robot.equal_legs)
-        lower, upper = robot.leg_limits
-        if ((q >= lower - LIMIT_SLACK) & (q <= upper + LIMIT_SLACK)).all():
+        lowest, highest = robot.leg_bounds
+        if ((q >= lowest) & (q <= highest)).all():
             return BodyPose(names, feet, q, reachable)
     if len({len(leg.joints) for leg in legs}) > 1:
         raise UsageError(f"the legs of {robot.name} differ in their number of joints")

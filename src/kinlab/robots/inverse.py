@@ -10,7 +10,7 @@ from kinlab.errors import UsageError
 from kinlab.kinematics import chain
 from kinlab.kinematics.blocks import blocks
 from kinlab.kinematics.transforms import Array, homogeneous, wrap
-from kinlab.robots.model import Limb
+from kinlab.robots.model import LIMIT_SLACK, Limb
 from kinlab.units import finite
 
 # Iterated solutions (limbs without a closed form): polished as far as the arithmetic goes, taken as
@@ -22,9 +22,6 @@ SAME = 1e-5
 SAMPLES = 4096
 STARTS = 12
 APART = 0.5
-# A solution this far (rad) outside a limit is on it: where a limb is stretched or folded, the rounding
-# of a target's last digit turns the joints by up to about 1e-7.
-LIMIT_SLACK = 2e-7
 # Lengths of a limb, see `nearest`.
 FAR = 1e9
 

@@ -11,8 +11,8 @@ from numpy.typing import ArrayLike
 
 from kinlab.kinematics.transforms import Array, rpy_to_rotation
 from kinlab.names import resolve
-from kinlab.robots.inverse import LIMIT_SLACK, fit_limits, inverse_kinematics, nearest
-from kinlab.robots.model import FRAMES, Limb, Robot
+from kinlab.robots.inverse import fit_limits, inverse_kinematics, nearest
+from kinlab.robots.model import FRAMES, LIMIT_SLACK, Limb, Robot
 from kinlab.units import check_place
 
 if TYPE_CHECKING:
