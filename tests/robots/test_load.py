@@ -222,7 +222,7 @@ def test_a_wrong_value_is_named_with_file_line_field_and_what_is_allowed(
         ("limits:", "limit:", "9: spider.legs.limit: no such field; did you mean limits?"),
         ("printed:", "prnted:", "6: spider.legs.femur.prnted: no such field; did you mean printed?"),
         ("kind:", "knid:", "3: spider.knid: expected a group of limbs, got 'hexapod'; did you mean kind?"),
-        ("robots:", "robotz:", "1: 'robotz' has no place here; did you mean robots?"),
+        ("robots:", "robotz:", "1: robotz: this has no place here; did you mean robots?"),
         ("coxa: [-60", "cxa: [-60", "10: spider.legs.limits.cxa: no joint is named 'cxa'; did you mean coxa?"),
         ("mounting: right", "mounting: rigth",
          "17: spider.legs.members.R1.mounting: no mounting is named 'rigth'; did you mean right?"),
