@@ -221,7 +221,7 @@ def solve(
     """
     method = resolve(method, METHODS, "method")
     problem = Problem(axes, links, target, rotation)
-    q = np.array(start, dtype=float)
+    q = wrap(start)
     e = problem.error(q)
     residual = float(np.linalg.norm(e))
     trace = [Step(q, residual, "start")]
@@ -234,6 +234,8 @@ def solve(
             break
         try:
             q, note = METHODS[method](problem, q, e, memory)
+            # Angles of a million turns have no digits left: the residual is that of the angles given back.
+            q = wrap(q)
         except Stop as stop:
             reason = str(stop)
             break
@@ -251,7 +253,7 @@ def solve(
     converged = residual <= tolerance_m
     return Solution(
         method,
-        wrap(q),
+        q,
         converged,
         residual,
         len(trace) - 1,

@@ -204,11 +204,18 @@ def _fails(data: Any, kind: Any, message: str) -> bool:
     return False
 
 
-def _fields(place: tuple[Any, ...]) -> list[str]:
-    """The fields that the struct at `place` of a robot takes."""
-    kinds = {"members": schema.Member, "joints": schema.JointSpec, "mountings": schema.Mounting}
-    kind: Any = next((kinds[k] for k in place if k in kinds), schema.Length)
-    return list(kind.__struct_fields__)
+# What stands under a key of a robot.
+_STRUCTS = {
+    "at": schema.Point, "body": schema.Length, "joints": schema.JointSpec, "lengths": schema.Length,
+    "limits": schema.Range, "mass": schema.Mass, "masses": schema.Mass, "members": schema.Member,
+    "mountings": schema.Mounting, "paper_axes": schema.PaperAxes, "stance": schema.Point,
+}  # fmt: skip
+
+
+def _fields(place: Place) -> tuple[str, ...]:
+    """The fields of what stands at `place` of a robot; of a servo model where the place is empty."""
+    kind: Any = next((_STRUCTS[k] for k in reversed(place) if k in _STRUCTS), schema.ServoModelSpec)
+    return tuple(kind.__struct_fields__)
 
 
 def _value_at(value: Any, place: tuple[Any, ...]) -> Any:

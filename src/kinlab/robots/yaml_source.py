@@ -89,7 +89,8 @@ class _Builder:
         self.name = name
         self.anchors: dict[str, Any] = {}
         self.stack: list[tuple[Mapping | Sequence, str | None]] = []
-        self.keys: list[str | None] = []
+        # The key, with its line, that waits for its value, in each open mapping.
+        self.keys: list[tuple[str, int] | None] = []
         self.root: Any = None
         self.documents = 0
 
@@ -157,7 +158,7 @@ class _Builder:
             return
         parent, _ = self.stack[-1]
         if isinstance(parent, Mapping) and self.keys[-1] is None:
-            self.keys[-1] = self.key(value, parent, line)
+            self.keys[-1] = self.key(value, parent, line), line
             return
         parent.size += getattr(value, "size", 1)
         if parent.size > MAX_VALUES:
@@ -166,8 +167,9 @@ class _Builder:
             parent.append(value)
             parent.lines.append(line)
             return
-        key, self.keys[-1] = self.keys[-1], None
-        assert key is not None
+        waiting, self.keys[-1] = self.keys[-1], None
+        assert waiting is not None
+        key, line = waiting
         if key == "<<":
             self.merge(parent, value, line)
         else:
