@@ -58,6 +58,7 @@ class _Shelf:
             return cls(_shipped_document())
         own = Document.read(Path(chosen), str(chosen))
         shelf = cls(_shipped_document(), own)
+        shelf.servo_models()
         for name in own.tree.get("robots", {}):
             shelf.robot(name)
         return shelf
