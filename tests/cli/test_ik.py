@@ -216,3 +216,9 @@ def test_the_four_errors_stand_side_by_side(kinlab):
 def test_all_shows_every_solution(kinlab):
     assert "knee-down" in kinlab("ik", "xl430-hexapod", 75, 10, -46, "--all").out
     assert "knee-down" not in kinlab("ik", "xl430-hexapod", 75, 10, -46).out
+
+
+def test_servos_can_be_left_out(kinlab):
+    assert "2XL430" not in kinlab("ik", "xl430-hexapod", 75, 10, -46, "--no-servos").out
+    found = kinlab("ik", "xl430-hexapod", 75, 10, -46, "--no-servos", "--json").json
+    assert found["solutions"][0]["servos"] == {}

@@ -14,7 +14,14 @@ from kinlab.robots.methods import MethodComparison
 from kinlab.robots.target import PoseReport, TargetReport, angles_deg
 
 
-def show_answer(answer: TargetReport, *, every: bool, as_printed: bool, trace: bool) -> None:
+def show_answer(
+    answer: TargetReport,
+    *,
+    every: bool = False,
+    servos: bool = True,
+    as_printed: bool = False,
+    trace: bool = False,
+) -> None:
     """Angles, servos, errors and a drawing; where asked for, all solutions, the steps, the printed equations."""
     show(_heading(answer.robot.name, answer.limb.name, answer.place_mm(answer.target), answer.frame))
     if not answer.reachable:
@@ -26,7 +33,7 @@ def show_answer(answer: TargetReport, *, every: bool, as_printed: bool, trace: b
     chosen = None if answer.chosen is None else answer.poses[answer.chosen]
     for pose in answer.poses:
         if every or chosen is None or pose is chosen:
-            show("", angles_table(answer, pose))
+            show("", angles_table(answer, pose, servos=servos))
     if trace:
         show("", _trace(answer))
     printed = evaluate(answer.robot, answer.limb, answer.target, answer.rotation)
@@ -43,21 +50,21 @@ def _heading(robot: str, limb: str, target_mm: list[float], frame: str) -> Text:
     )
 
 
-def angles_table(answer: TargetReport, pose: PoseReport) -> Table:
-    """Joint angles, servo angles and commands of a pose."""
-    state = "within limits" if pose.within_limits else "; ".join(pose.beyond)
+def angles_table(answer: TargetReport, pose: PoseReport, *, servos: bool = True) -> Table:
+    """Joint angles of a pose; with `servos`, their angles and commands."""
+    columns: list[str | tuple[str, str]] = ["joint", ("angle", "deg")]
+    if servos:
+        columns += ["servo", ("servo angle", "deg"), ("command", "")]
     found = table(
-        f"{pose.name}, {state}", "joint", ("angle", "deg"), "servo", ("servo angle", "deg"), ("command", "")
+        f"{pose.name}, {'within limits' if pose.within_limits else '; '.join(pose.beyond)}", *columns
     )
     for joint, angle in angles_deg(answer.limb, pose.q).items():
         servo = pose.servos.get(joint)
-        if servo is None:
-            found.add_row(joint, f"{angle:.4f}", "not printed", "", "")
-        else:
+        cells = ["not printed", "", ""]
+        if servo is not None:
             command = "beyond its range" if servo.command is None else f"{servo.command} {servo.unit}"
-            found.add_row(
-                joint, f"{angle:.4f}", f"{servo.model}, id {servo.id}", f"{servo.servo_deg:.3f}", command
-            )
+            cells = [f"{servo.model}, id {servo.id}", f"{servo.servo_deg:.3f}", command]
+        found.add_row(joint, f"{angle:.4f}", *(cells if servos else ()))
     return found
 
 

@@ -108,7 +108,7 @@ class TargetReport:
         """A point of the limb frame (3,), in metres, as millimetres in the frame shown."""
         return place_mm(self.limb, point, self.frame)
 
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self, *, servos: bool = True) -> dict[str, Any]:
         """The contract of `kinlab ik --json`, without `as_printed`."""
         found: dict[str, Any] = {
             "robot": self.robot.name,
@@ -117,7 +117,7 @@ class TargetReport:
             "target_mm": self.place_mm(self.target),
             "reachable": self.reachable,
             "chosen": self.chosen,
-            "solutions": [self._pose_json(pose) for pose in self.poses],
+            "solutions": [self._pose_json(pose, servos) for pose in self.poses],
         }
         if not self.reachable:
             found["reason"] = self.reason
@@ -130,7 +130,7 @@ class TargetReport:
             found["method"] = attempt_json(self.limb, self.attempt)
         return found
 
-    def _pose_json(self, pose: PoseReport) -> dict[str, Any]:
+    def _pose_json(self, pose: PoseReport, servos: bool) -> dict[str, Any]:
         return {
             "name": pose.name,
             "angles_deg": angles_deg(self.limb, pose.q),
@@ -138,7 +138,7 @@ class TargetReport:
             "beyond": list(pose.beyond),
             "fk_mm": self.place_mm(pose.tip),
             "error_mm": pose.error_m * 1000,
-            "servos": {name: servo.to_json() for name, servo in pose.servos.items()},
+            "servos": {name: servo.to_json() for name, servo in pose.servos.items() if servos},
             "quantised_fk_mm": None if pose.quantised is None else self.place_mm(pose.quantised),
             "quantised_error_mm": None if pose.quantised_error_m is None else pose.quantised_error_m * 1000,
         }
