@@ -21,6 +21,21 @@ def to_mm(values: Any) -> Any:
     return np.asarray(values, dtype=float) * 1e3
 
 
+# A place further out than this (m) is a slip of the finger or of the unit.
+FARTHEST = 1e6
+
+
+def check_place(values: Any, what: str) -> None:
+    """Refuse places (..., 3), in metres, that are not finite or beyond all reason.
+
+    Raises:
+        UsageError: naming `what` and the offending value.
+    """
+    finite(values, what)
+    if np.abs(values).max(initial=0.0) > FARTHEST:
+        raise UsageError(f"{what} must be within {FARTHEST / 1000:g} km; is the unit right?")
+
+
 def finite(values: Any, what: str) -> None:
     """Refuse NaN and infinities.
 

@@ -130,12 +130,13 @@ def test_a_target_beyond_the_limits_is_refused_with_its_solutions_shown(kinlab):
         ((75, 0, -60, "--limb", "R7"), "no limb of xl430-hexapod is named 'R7'"),
         ((75, 0, -60, "--limb", "R"), "ambiguous: R1, R2, R3"),
         ((75, 0, -60, "--frame", "word"), "no frame is named 'word'"),
-        ((75, 0, -60, "--method", "newtn"), "did you mean newton?"),
+        ((75, 0, -60, "--method", "newtn"), "did you mean newton"),
         ((75, 0, -60, "--rpy", 0, 0, 5), "cannot choose its attitude"),
         ((75, 0, -60, "--rpy", 0, 0, 5, "--yaw", 5), "give one of the two"),
         ((75, 0, -60, "--trace"), "--method"),
         ((75, 0, -60, "--jsno"), "--json"),
-        ((1e200, 0, 0), "out of reach"),
+        ((1e200, 0, 0), "is the unit right?"),
+        ((1e5, 0, 0), "out of reach"),
     ],
 )
 def test_wrong_input_is_answered_in_words(kinlab, args, says):
@@ -215,3 +216,9 @@ def test_the_four_errors_stand_side_by_side(kinlab):
 def test_all_shows_every_solution(kinlab):
     assert "knee-down" in kinlab("ik", "xl430-hexapod", 75, 10, -46, "--all").out
     assert "knee-down" not in kinlab("ik", "xl430-hexapod", 75, 10, -46).out
+
+
+def test_servos_can_be_left_out(kinlab):
+    assert "2XL430" not in kinlab("ik", "xl430-hexapod", 75, 10, -46, "--no-servos").out
+    found = kinlab("ik", "xl430-hexapod", 75, 10, -46, "--no-servos", "--json").json
+    assert found["solutions"][0]["servos"] == {}

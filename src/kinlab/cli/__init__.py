@@ -1,5 +1,6 @@
 """The command line, `kinlab COMMAND ...`: each command in a module of its own, imported when it is used."""
 
+import gc
 import sys
 
 from kinlab.errors import KinlabError
@@ -10,6 +11,8 @@ def main(args: list[str] | None = None) -> None:
 
     0 done, 1 the job failed, 2 wrong usage, 130 interrupted.
     """
+    # A command is short: collecting garbage at Python's own pace would be a tenth of its time.
+    gc.set_threshold(200_000)
     from kinlab.cli.commands import kinlab
 
     # Consoles that cannot encode a degree sign or a braille dot get a substitute, not a crash.

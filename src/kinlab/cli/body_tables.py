@@ -4,7 +4,8 @@ from typing import Any
 
 from rich.text import Text
 
-from kinlab.cli.show import place, show, table
+from kinlab.cli.printed import printed_table
+from kinlab.cli.show import place, sentences, show, table
 from kinlab.robots.body import Stand
 
 
@@ -18,33 +19,30 @@ def show_answer(answer: Stand, printed: Any, *, asked: bool) -> None:
             style="not bold",
         )
     )
-    joints = answer.robot.legs[0].joint_names
-    found = table(
-        "legs over fixed feet",
-        "leg",
-        ("foot in the body frame", "mm"),
-        *((j, "deg") for j in joints),
-        "servo commands",
-    )
+    joints = ", ".join(answer.robot.legs[0].joint_names)
+    found = table("legs over fixed feet", "leg", ("foot", "mm"), f"{joints} [deg]", "servo commands")
+    beyond = []
     for name, leg in data["legs"].items():
         foot = place(leg["foot_mm"], 2)
         if leg["reachable"]:
-            commands = " ".join("-" if c is None else str(c) for c in leg["commands"].values())
-            found.add_row(
-                name, foot, *(f"{a:.3f}" for a in leg["angles_deg"].values()), commands or "not printed"
-            )
+            commands = ", ".join("-" if c is None else str(c) for c in leg["commands"].values())
+            angles = ", ".join(f"{a:.2f}" for a in leg["angles_deg"].values())
+            found.add_row(name, foot, angles, commands or "not printed")
         else:
-            found.add_row(
-                Text(name, style="bold red"), foot, *("-" for _ in joints), f"not reachable: {leg['reason']}"
-            )
+            found.add_row(Text(name, style="bold red"), foot, "not reachable", "-")
+            beyond.append((name, leg["reason"]))
     show("", found)
+    if beyond:
+        show("", sentences(*beyond))
     if not asked:
         return
     if printed is None:
         show("", "the paper prints no equations for the pose of the body")
         return
     shown = printed.to_json()
-    beside = table(f"as printed: {shown['where']}", "leg", ("printed foot", "mm"), ("off by", "mm"))
+    beside = table(
+        "where the paper's equations put the feet", "leg", ("printed foot", "mm"), ("off by", "mm")
+    )
     for name, leg in shown["legs"].items():
         beside.add_row(name, place(leg["foot_mm"], 2), f"{leg['error_mm']:.3f}")
-    show("", beside, shown["note"])
+    show("", beside, "", printed_table(shown))

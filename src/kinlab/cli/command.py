@@ -63,17 +63,19 @@ def _convert(value: Any, annotation: Any, param: Any, ctx: Any) -> Any:
     return annotation(value)
 
 
+def converted_plainly(params: list[Any]) -> list[Any]:
+    """`params` without Typer's own conversion: it imports pydantic, which takes longer than all of `kinlab ik`."""
+    for param in params:
+        described = param.type_descriptor
+        param._runtime_param = PlainParam(described.parameter_info, described.annotation)
+    return params
+
+
 class NumericCommand(TyperCommand):
     """A command for which a token that looks like a number is never an option: `ik udiebot -20 35 -60`."""
 
-    def __init__(self, name: str | None, **settings: Any) -> None:
-        super().__init__(name, **settings)
-        for param in self.params:
-            # Typer's own conversion imports pydantic, which takes longer than all that `kinlab ik` does.
-            known: Any = param
-            known._runtime_param = PlainParam(
-                known.type_descriptor.parameter_info, known.type_descriptor.annotation
-            )
+    def get_params(self, ctx: Any) -> list[Any]:
+        return converted_plainly(super().get_params(ctx))
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
         takes: dict[str, int] = {}

@@ -7,6 +7,7 @@ import typer
 from typer.core import TyperGroup
 
 import kinlab as package
+from kinlab.cli.command import converted_plainly
 
 COMMANDS = {
     "tour": "the whole path once, in ten seconds: the first thing to run",
@@ -28,6 +29,9 @@ class LazyGroup(TyperGroup):
         super().__init__(**attrs)
         # Typer takes the names from here for "did you mean".
         self.commands: Any = dict.fromkeys(COMMANDS)
+
+    def get_params(self, ctx: Any) -> list[Any]:
+        return converted_plainly(super().get_params(ctx))
 
     def list_commands(self, ctx: Any) -> list[str]:
         return list(COMMANDS)

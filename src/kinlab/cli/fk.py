@@ -41,7 +41,7 @@ def fk(
 ) -> None:
     """Joint angles as the place and attitude of the tip."""
     from kinlab.robots import load_robot
-    from kinlab.robots.report import pose_of_tip
+    from kinlab.robots.tip import pose_of_tip
 
     machine = load_robot(robot, robots)
     which = machine.limb(limb)

@@ -5,8 +5,9 @@ from typing import Any
 from rich.table import Table
 from rich.text import Text
 
+from kinlab.cli.printed import printed_table
 from kinlab.cli.show import drawing, number, place, show, table
-from kinlab.robots.report import PoseOfTip
+from kinlab.robots.tip import PoseOfTip
 
 
 def show_answer(answer: PoseOfTip, *, dh: bool, jacobian: bool, printed: Any) -> None:
@@ -30,7 +31,7 @@ def show_answer(answer: PoseOfTip, *, dh: bool, jacobian: bool, printed: Any) ->
         show("", _dh(answer))
     if printed is not None:
         for variant in printed:
-            show("", _variant(answer, variant))
+            show("", printed_table(variant.to_json(answer.limb, answer.frame)))
         if not printed:
             show("", "the paper prints no forward kinematics for this limb")
     show("", drawing(answer.limb, answer.q, None))
@@ -59,20 +60,4 @@ def _dh(answer: PoseOfTip) -> Table:
     )
     for row in answer.dh_json()["joints"]:
         found.add_row(row["joint"], *(number(row[key]) for key in ("theta_deg", "d_mm", "a_mm", "alpha_deg")))
-    return found
-
-
-def _variant(answer: PoseOfTip, variant: Any) -> Table:
-    shown = variant.to_json(answer.limb, answer.frame)
-    found = table(f"as printed: {shown['where']}", "", "")
-    found.show_header = False
-    if shown["fk_mm"] is not None:
-        found.add_row("tip", f"{place(shown['fk_mm'])} mm, {shown['error_mm']:.4f} mm off")
-    found.add_row("why", shown["note"])
-    for fault in shown["faults"]:
-        cost = fault["reason"] if fault["cost_mm"] is None else f"costs {fault['cost_mm']:.4f} mm by itself"
-        found.add_row(
-            f"equation {fault['equation']}",
-            f"{fault['printed']}   should be   {fault['corrected']}   ({cost})",
-        )
     return found

@@ -28,6 +28,10 @@ def ik(
     frame: FrameOption = "limb",
     unit: Annotated[str, typer.Option("--unit", "-u", help="Unit of the target: mm, cm or m.")] = "mm",
     every: Annotated[bool, typer.Option("--all", "-a", help="Every solution, not only the chosen.")] = False,
+    servos: Annotated[
+        bool,
+        typer.Option("--servos/--no-servos", help="Servo angles and commands beside the joints' angles."),
+    ] = True,
     rpy: Annotated[
         tuple[float, float, float] | None,
         typer.Option(metavar="R P Y", help="Roll, pitch and yaw of the tip in deg, for limbs of six joints."),
@@ -59,7 +63,7 @@ def ik(
 
     from kinlab.errors import UsageError
     from kinlab.robots import load_robot
-    from kinlab.robots.report import compare_methods, solve_target
+    from kinlab.robots.target import solve_target
     from kinlab.units import to_metres
 
     if len(target) != 3:
@@ -74,6 +78,8 @@ def ik(
     turned = (0.0, 0.0, yaw) if yaw is not None else rpy
     attitude = None if turned is None else np.radians(turned)
     if compare:
+        from kinlab.robots.methods import compare_methods
+
         report = compare_methods(machine, which, point, frame=frame, rpy=attitude)
         if json:
             print_json(report.to_json())
@@ -86,7 +92,7 @@ def ik(
         return
     answer = solve_target(machine, which, point, frame=frame, rpy=attitude, method=method)
     if json:
-        document = answer.to_json()
+        document = answer.to_json(servos=servos)
         if as_printed:
             from kinlab.papers import as_printed as evaluate
 
@@ -96,6 +102,6 @@ def ik(
     else:
         from kinlab.cli.ik_tables import show_answer
 
-        show_answer(answer, every=every, as_printed=as_printed, trace=trace)
+        show_answer(answer, every=every, servos=servos, as_printed=as_printed, trace=trace)
     if not answer.reachable:
         raise typer.Exit(1)

@@ -1,15 +1,27 @@
 """What `kinlab ik` prints for people."""
 
+from typing import Any
+
 from rich.table import Table
 from rich.text import Text
 
+from kinlab.cli.printed import printed_table
 from kinlab.cli.show import drawing, number, place, show, table
 from kinlab.papers import AsPrinted, measured
 from kinlab.papers import as_printed as evaluate
-from kinlab.robots.report import MethodComparison, PoseReport, TargetReport, angles_deg
+from kinlab.robots import Limb
+from kinlab.robots.methods import MethodComparison
+from kinlab.robots.target import PoseReport, TargetReport, angles_deg
 
 
-def show_answer(answer: TargetReport, *, every: bool, as_printed: bool, trace: bool) -> None:
+def show_answer(
+    answer: TargetReport,
+    *,
+    every: bool = False,
+    servos: bool = True,
+    as_printed: bool = False,
+    trace: bool = False,
+) -> None:
     """Angles, servos, errors and a drawing; where asked for, all solutions, the steps, the printed equations."""
     show(_heading(answer.robot.name, answer.limb.name, answer.place_mm(answer.target), answer.frame))
     if not answer.reachable:
@@ -21,7 +33,7 @@ def show_answer(answer: TargetReport, *, every: bool, as_printed: bool, trace: b
     chosen = None if answer.chosen is None else answer.poses[answer.chosen]
     for pose in answer.poses:
         if every or chosen is None or pose is chosen:
-            show("", angles_table(answer, pose))
+            show("", angles_table(answer, pose, servos=servos))
     if trace:
         show("", _trace(answer))
     printed = evaluate(answer.robot, answer.limb, answer.target, answer.rotation)
@@ -29,7 +41,7 @@ def show_answer(answer: TargetReport, *, every: bool, as_printed: bool, trace: b
         show("", errors_table(answer, chosen, printed), "", drawing(answer.limb, chosen.q, answer.target))
     if as_printed:
         for variant in printed:
-            show("", _variant(answer, variant))
+            show("", printed_table(variant.to_json(answer.limb, answer.frame)))
 
 
 def _heading(robot: str, limb: str, target_mm: list[float], frame: str) -> Text:
@@ -38,21 +50,21 @@ def _heading(robot: str, limb: str, target_mm: list[float], frame: str) -> Text:
     )
 
 
-def angles_table(answer: TargetReport, pose: PoseReport) -> Table:
-    """Joint angles, servo angles and commands of a pose."""
-    state = "within limits" if pose.within_limits else "; ".join(pose.beyond)
+def angles_table(answer: TargetReport, pose: PoseReport, *, servos: bool = True) -> Table:
+    """Joint angles of a pose; with `servos`, their angles and commands."""
+    columns: list[str | tuple[str, str]] = ["joint", ("angle", "deg")]
+    if servos:
+        columns += ["servo", ("servo angle", "deg"), ("command", "")]
     found = table(
-        f"{pose.name}, {state}", "joint", ("angle", "deg"), "servo", ("servo angle", "deg"), ("command", "")
+        f"{pose.name}, {'within limits' if pose.within_limits else '; '.join(pose.beyond)}", *columns
     )
     for joint, angle in angles_deg(answer.limb, pose.q).items():
         servo = pose.servos.get(joint)
-        if servo is None:
-            found.add_row(joint, f"{angle:.4f}", "not printed in the paper", "", "")
-        else:
+        cells = ["not printed", "", ""]
+        if servo is not None:
             command = "beyond its range" if servo.command is None else f"{servo.command} {servo.unit}"
-            found.add_row(
-                joint, f"{angle:.4f}", f"{servo.model}, id {servo.id}", f"{servo.servo_deg:.3f}", command
-            )
+            cells = [f"{servo.model}, id {servo.id}", f"{servo.servo_deg:.3f}", command]
+        found.add_row(joint, f"{angle:.4f}", *(cells if servos else ()))
     return found
 
 
@@ -86,37 +98,23 @@ def errors_table(answer: TargetReport, pose: PoseReport, printed: tuple[AsPrinte
     return found
 
 
-def _variant(answer: TargetReport, variant: AsPrinted) -> Table:
-    shown = variant.to_json(answer.limb, answer.frame)
-    angles = ", ".join(f"{k} {v:.4f}" for k, v in (shown["angles_deg"] or {}).items()) or "none"
-    found = table(f"as printed, {variant.variant}: {variant.where}", "", "")
-    found.show_header = False
-    found.add_row("angles [deg]", angles)
-    if variant.error_m is not None:
-        found.add_row("lands", f"at {place(shown['fk_mm'])} mm, {shown['error_mm']:.4f} mm off")
-    found.add_row("why", variant.note)
-    for fault in variant.faults:
-        cost = f"costs {fault.cost_m * 1000:.4f} mm by itself" if fault.cost_m is not None else fault.reason
-        found.add_row(
-            f"equation {fault.equation}", f"{fault.printed}   should be   {fault.corrected}   ({cost})"
-        )
-    return found
-
-
 def _trace(answer: TargetReport) -> Table:
     run = answer.attempt
     assert run is not None
     found = table(
-        f"{run.method}: {run.reason}",
-        ("step", ""),
-        ("residual", "mm"),
-        *((j, "deg") for j in answer.limb.joint_names),
-        "note",
+        f"{run.method}: {run.reason}", ("step", ""), ("residual", "mm"), _joints(answer.limb), "note"
     )
     for i, step in enumerate(run.trace):
-        angles = (f"{a:.4f}" for a in angles_deg(answer.limb, step.q).values())
-        found.add_row(str(i), f"{step.residual_m * 1000:.3e}", *angles, step.note)
+        found.add_row(str(i), f"{step.residual_m * 1000:.3e}", _angles(answer.limb, step.q), step.note)
     return found
+
+
+def _joints(limb: Limb) -> str:
+    return f"{', '.join(limb.joint_names)} [deg]"
+
+
+def _angles(limb: Limb, q: Any) -> str:
+    return ", ".join(f"{a:.3f}" for a in angles_deg(limb, q).values())
 
 
 def show_comparison(report: MethodComparison) -> None:
@@ -127,16 +125,16 @@ def show_comparison(report: MethodComparison) -> None:
         "method",
         ("steps", ""),
         ("residual", "mm"),
-        *((j, "deg") for j in report.limb.joint_names),
+        _joints(report.limb),
         "outcome",
     )
     exact = report.closed
-    if exact is not None:
-        angles = (f"{a:.3f}" for a in angles_deg(report.limb, exact.q).values())
-        found.add_row("closed form", "0", f"{exact.error_m * 1000:.1e}", *angles, exact.name)
+    if exact is None:
+        found.add_row("closed form", "", "", "", report.no_closed_form)
     else:
-        found.add_row("closed form", "", "", *("" for _ in report.limb.joints), report.no_closed_form)
+        angles = _angles(report.limb, exact.q)
+        found.add_row("closed form", "0", f"{exact.error_m * 1000:.1e}", angles, exact.name)
     for run in report.runs:
-        angles = (f"{a:.3f}" for a in angles_deg(report.limb, run.q).values())
-        found.add_row(run.method, str(run.iterations), f"{run.residual_m * 1000:.1e}", *angles, run.reason)
+        angles = _angles(report.limb, run.q)
+        found.add_row(run.method, str(run.iterations), f"{run.residual_m * 1000:.1e}", angles, run.reason)
     show("", found)

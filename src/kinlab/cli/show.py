@@ -46,7 +46,7 @@ def table(title: str, *columns: str | tuple[str, str]) -> Table:
             name, unit = column
             found.add_column(Text(f"{name} [{unit}]" if unit else name), justify="right", no_wrap=True)
         else:
-            found.add_column(column, overflow="fold")
+            found.add_column(column, overflow="fold", min_width=min(len(column), 12))
     return found
 
 

@@ -1,7 +1,6 @@
 """What `kinlab tour` prints for people."""
 
 from rich.rule import Rule
-from rich.table import Table
 from rich.text import Text
 
 from kinlab.cli.ik_tables import angles_table, errors_table
@@ -14,7 +13,7 @@ def show_tour(stops: list[Stop]) -> None:
     show("target (mm) -> joint angles -> servo angles -> commands -> joint angles -> where the tip lands")
     for i, stop in enumerate(stops, 1):
         _show_stop(i, stop)
-    show("", Rule(style="dim"), _next_steps())
+    show("", Rule(Text(" Next "), align="left", style="dim"), _next_steps())
 
 
 def _show_stop(number: int, stop: Stop) -> None:
@@ -34,8 +33,8 @@ def _show_stop(number: int, stop: Stop) -> None:
     show("", sentences(*((f"printed {variant.variant}:", variant.note) for variant in stop.printed)))
 
 
-def _next_steps() -> Table:
-    found = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), show_header=False)
+def _next_steps() -> Text:
+    found = Text()
     for command, meaning in (
         (
             "kinlab ik xl430-hexapod 75 10 -46 --limb R1 --as-printed",
@@ -46,5 +45,5 @@ def _next_steps() -> Table:
         ("kinlab robots eros", "every figure with its source"),
         ("kinlab --help", "everything else"),
     ):
-        found.add_row(Text(command, style="bold"), meaning)
+        found.append(f"  {command}\n", style="bold").append(f"      {meaning}\n")
     return found

@@ -142,7 +142,9 @@ def levenberg_marquardt(problem: Problem, q: Array, e: Array, memory: dict[str, 
     """Gauss-Newton with damping that grows when a step fails and shrinks when it succeeds (Nielsen 1999)."""
     J = problem.jacobian(q)
     A, g = J.T @ J, J.T @ e
-    damping = memory.setdefault("damping", 1e-3 * float(np.diag(A).max()))
+    scale = float(np.diag(A).max())
+    # Below the rounding of A it would not keep a singular A invertible, nor an A of zeros at zero.
+    damping = max(memory.get("damping", 1e-3 * scale), 1e-14 * scale, 1e-300)
     growth = 2.0
     for _ in range(HALVINGS):
         dq = np.linalg.solve(A + damping * np.eye(len(q)), g)
@@ -219,7 +221,7 @@ def solve(
     """
     method = resolve(method, METHODS, "method")
     problem = Problem(axes, links, target, rotation)
-    q = np.array(start, dtype=float)
+    q = wrap(start)
     e = problem.error(q)
     residual = float(np.linalg.norm(e))
     trace = [Step(q, residual, "start")]
@@ -232,6 +234,8 @@ def solve(
             break
         try:
             q, note = METHODS[method](problem, q, e, memory)
+            # Angles of a million turns have no digits left: the residual is that of the angles given back.
+            q = wrap(q)
         except Stop as stop:
             reason = str(stop)
             break
@@ -249,7 +253,7 @@ def solve(
     converged = residual <= tolerance_m
     return Solution(
         method,
-        wrap(q),
+        q,
         converged,
         residual,
         len(trace) - 1,

@@ -22,7 +22,11 @@ def rotation(axis: ArrayLike, angle: ArrayLike) -> Array:
 def rpy_to_rotation(rpy: ArrayLike) -> Array:
     """R = Rz(yaw) Ry(pitch) Rx(roll) for angles (..., 3) in rad, of shape (..., 3, 3)."""
     angles = np.asarray(rpy, dtype=float)
-    (cr, cp, cy), (sr, sp, sy) = np.moveaxis(np.cos(angles), -1, 0), np.moveaxis(np.sin(angles), -1, 0)
+    cosines, sines = np.cos(angles), np.sin(angles)
+    # One attitude is worked out in Python's floats, which numpy's scalars are ten times slower than.
+    one = angles.ndim == 1
+    cr, cp, cy = cosines.tolist() if one else np.moveaxis(cosines, -1, 0)
+    sr, sp, sy = sines.tolist() if one else np.moveaxis(sines, -1, 0)
     R = np.empty((*angles.shape[:-1], 3, 3))
     R[..., 0, 0], R[..., 0, 1], R[..., 0, 2] = cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr
     R[..., 1, 0], R[..., 1, 1], R[..., 1, 2] = sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr

@@ -1,6 +1,7 @@
 """What the papers print, evaluated as it stands, beside what is true."""
 
 from kinlab.papers.as_printed import as_printed, body_as_printed, fk_as_printed
+from kinlab.papers.measurements import Measured, measured
 from kinlab.papers.results import AsPrinted, BodyAsPrinted, Fault, FkAsPrinted
 
 __all__ = [
@@ -8,7 +9,9 @@ __all__ = [
     "BodyAsPrinted",
     "Fault",
     "FkAsPrinted",
+    "Measured",
     "as_printed",
     "body_as_printed",
     "fk_as_printed",
+    "measured",
 ]

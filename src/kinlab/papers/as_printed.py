@@ -1,6 +1,6 @@
 """What a paper's equations give for a target or for angles, judged by the kinematics of the real robot."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -13,7 +13,6 @@ from kinlab.papers.equations import (
     Misprint,
     NotComputable,
     Printed,
-    everything,
 )
 from kinlab.papers.results import AsPrinted, BodyAsPrinted, Fault, FkAsPrinted
 from kinlab.robots import Limb, Robot
@@ -41,9 +40,17 @@ FORWARD: dict[str, tuple[ForwardEquations, ...]] = {
     "receptionist-arm": (receptionist_arm.PRODUCT, receptionist_arm.MULTIPLIED),
 }
 
+# A target farther away (m) only overflows: no limb is a millionth as long.
+FARTHEST_M = 1e6
+
 
 def as_printed(
-    robot: Robot, limb: Limb, target: ArrayLike, rotation: ArrayLike | None = None
+    robot: Robot,
+    limb: Limb,
+    target: ArrayLike,
+    rotation: ArrayLike | None = None,
+    *,
+    printed: Iterable[str] | None = None,
 ) -> tuple[AsPrinted, ...]:
     """What the inverse equations of the robot's paper give for `target` (3,), metres, limb frame.
 
@@ -53,6 +60,7 @@ def as_printed(
         target: where the tip shall go.
         rotation: attitude (3, 3) of a sole, of which the papers know only the heading; level where
             not given.
+        printed: the faulty equations to take letter for letter, the rest corrected; all where not given.
 
     Returns:
         The paper's variants; none where it prints no inverse kinematics for such a limb.
@@ -62,7 +70,7 @@ def as_printed(
     found = []
     for equations in INVERSE.get(robot.paper or "", ()):
         if form is not None and form.kind == equations.kind:
-            found.append(_inverse(equations, limb, form.lengths, target, rotation))
+            found.append(_inverse(equations, limb, form.lengths, target, rotation, printed))
     return tuple(found)
 
 
@@ -72,6 +80,7 @@ def _inverse(
     lengths: tuple[float, ...],
     target: Array,
     rotation: ArrayLike | None,
+    printed: Iterable[str] | None,
 ) -> AsPrinted:
     point = limb.from_limb(target, "paper")
     mirrored = equations.kind == "leg" and np.linalg.det(limb.paper_axes[:2, :2]) < 0
@@ -81,8 +90,10 @@ def _inverse(
         attitude = np.eye(3) if rotation is None else np.asarray(rotation, float)
         more["heading"] = float(np.arctan2(attitude[1, 0], attitude[0, 0]))
 
-    def solve(printed: Printed) -> tuple[Array, str]:
-        q, remark = equations.solve(point, lengths, printed, **more)
+    def solve(letter_for_letter: Printed) -> tuple[Array, str]:
+        if not np.abs(point).max() <= FARTHEST_M:
+            raise NotComputable("no equation has a value for a target so far away")
+        q, remark = equations.solve(point, lengths, letter_for_letter, **more)
         # A left leg whose paper counts y forwards on both sides turns its coxa the other way.
         return (q * [-1, 1, 1] if mirrored else q), remark
 
@@ -92,7 +103,7 @@ def _inverse(
 
     faults = _faults(equations.misprints, cost)
     try:
-        q, remark = solve(everything(equations.misprints))
+        q, remark = solve(_in_force(equations.misprints, printed))
     except NotComputable as missing:
         note = f"It cannot be evaluated: {missing}. {equations.note}"
         return AsPrinted(equations.variant, equations.where, None, None, None, note, faults)
@@ -114,8 +125,15 @@ def _inverse(
     )
 
 
-def fk_as_printed(robot: Robot, limb: Limb, q: ArrayLike) -> tuple[FkAsPrinted, ...]:
+def fk_as_printed(
+    robot: Robot, limb: Limb, q: ArrayLike, *, printed: Iterable[str] | None = None
+) -> tuple[FkAsPrinted, ...]:
     """What the forward equations of the robot's paper give for angles `q` (n,) in rad.
+
+    Args:
+        robot, limb: whose equations.
+        q: the joint angles.
+        printed: the faulty equations to take letter for letter, the rest corrected; all where not given.
 
     Returns:
         The paper's forms; none where it prints no forward kinematics for such a limb.
@@ -126,16 +144,18 @@ def fk_as_printed(robot: Robot, limb: Limb, q: ArrayLike) -> tuple[FkAsPrinted, 
         to_limb = limb.paper_axes if equations.frame == "paper" else np.eye(3)
         axes = np.array(equations.axes)
         if limb.axes.shape == axes.shape and np.allclose(limb.axes @ to_limb, axes):
-            found.append(_forward(equations, limb, to_limb, q))
+            found.append(_forward(equations, limb, to_limb, q, printed))
     return tuple(found)
 
 
-def _forward(equations: ForwardEquations, limb: Limb, to_limb: Array, q: Array) -> FkAsPrinted:
+def _forward(
+    equations: ForwardEquations, limb: Limb, to_limb: Array, q: Array, printed: Iterable[str] | None
+) -> FkAsPrinted:
     lengths = tuple(np.linalg.norm(limb.links, axis=1).tolist())
     true = limb.fk(q)
 
-    def pose(printed: Printed) -> Array:
-        T = equations.pose(q, lengths, printed)
+    def pose(letter_for_letter: Printed) -> Array:
+        T = equations.pose(q, lengths, letter_for_letter)
         return homogeneous(to_limb @ T[:3, :3] @ to_limb.T, to_limb @ T[:3, 3])
 
     def cost(misprint: Misprint) -> tuple[float, str]:
@@ -144,7 +164,7 @@ def _forward(equations: ForwardEquations, limb: Limb, to_limb: Array, q: Array) 
 
     faults = _faults(equations.misprints, cost)
     try:
-        T = pose(everything(equations.misprints))
+        T = pose(_in_force(equations.misprints, printed))
     except NotComputable as missing:
         note = f"It cannot be evaluated: {missing}. {equations.note}"
         return FkAsPrinted(equations.where, None, None, None, note, faults)
@@ -169,12 +189,12 @@ def body_as_printed(robot: Robot, xyz: ArrayLike, rpy: ArrayLike) -> BodyAsPrint
 
     def off(printed: Printed) -> Array:
         moved = krsri_hexapod.body(feet, hips, xyz, rpy, printed)
-        return np.asarray(np.linalg.norm(moved - true, axis=1))
+        return np.asarray(np.hypot.reduce(moved - true, axis=1))
 
     def cost(misprint: Misprint) -> tuple[float, str]:
         return float(off(frozenset([misprint.equation])).max()), misprint.remark
 
-    all_of_them = everything(krsri_hexapod.BODY)
+    all_of_them = _in_force(krsri_hexapod.BODY, None)
     printed = krsri_hexapod.body(feet, hips, xyz, rpy, all_of_them)
     return BodyAsPrinted(
         krsri_hexapod.BODY_WHERE,
@@ -184,6 +204,10 @@ def body_as_printed(robot: Robot, xyz: ArrayLike, rpy: ArrayLike) -> BodyAsPrint
         krsri_hexapod.BODY_NOTE,
         _faults(krsri_hexapod.BODY, cost),
     )
+
+
+def _in_force(misprints: tuple[Misprint, ...], printed: Iterable[str] | None) -> Printed:
+    return frozenset(m.equation for m in misprints) if printed is None else frozenset(printed)
 
 
 def _faults(
@@ -205,4 +229,4 @@ def _join(*remarks: str) -> str:
 
 
 def _distance(a: Array, b: Array) -> float:
-    return float(np.linalg.norm(a - b))
+    return float(np.hypot.reduce(a - b))

@@ -92,11 +92,6 @@ class ForwardEquations:
     attitude: bool = True
 
 
-def everything(misprints: tuple[Misprint, ...]) -> Printed:
-    """All misprints in force: the paper letter for letter."""
-    return frozenset(m.equation for m in misprints)
-
-
 def acos(value: float, equation: str) -> float:
     """The inverse cosine, in rad.
 

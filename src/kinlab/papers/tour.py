@@ -5,7 +5,7 @@ from typing import Any
 
 from kinlab.papers.as_printed import AsPrinted, as_printed
 from kinlab.robots import load_robots
-from kinlab.robots.report import TargetReport, solve_target
+from kinlab.robots.target import TargetReport, solve_target
 from kinlab.units import to_metres
 
 

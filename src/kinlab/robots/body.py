@@ -10,10 +10,10 @@ from kinlab.errors import UsageError
 from kinlab.kinematics.body import feet_from_body
 from kinlab.kinematics.leg import leg_ik
 from kinlab.kinematics.transforms import Array, apply, rpy_to_rotation
-from kinlab.robots.inverse import LIMIT_SLACK, inverse_kinematics
+from kinlab.robots.inverse import inverse_kinematics
 from kinlab.robots.model import Robot
-from kinlab.robots.report import angles_deg, read_servos, solve_target
-from kinlab.units import finite
+from kinlab.robots.target import angles_deg, read_servos, solve_target
+from kinlab.units import check_place, finite
 
 
 @dataclass(frozen=True, repr=False)
@@ -36,17 +36,6 @@ class BodyPose:
         return f"<BodyPose of {', '.join(self.legs)}: {'all' if self.reachable.all() else 'not all'} feet in reach>"
 
 
-def standing_feet(robot: Robot) -> Array:
-    """Where the feet stand (L, 3), in the body frame, metres.
-
-    Raises:
-        UsageError: the robot has no legs.
-    """
-    if not robot.legs:
-        raise UsageError(f"{robot.name} has no legs to stand on")
-    return np.stack([leg.from_limb(leg.stance, "body") for leg in robot.legs if leg.stance is not None])
-
-
 def body_pose(robot: Robot, xyz: ArrayLike, rpy: ArrayLike, feet: ArrayLike | None = None) -> BodyPose:
     """The legs' joint angles when the body moves by `xyz` and turns by `rpy` over fixed feet.
 
@@ -61,7 +50,9 @@ def body_pose(robot: Robot, xyz: ArrayLike, rpy: ArrayLike, feet: ArrayLike | No
     Raises:
         UsageError: the robot has no legs.
     """
-    feet = standing_feet(robot) if feet is None else np.asarray(feet, float)
+    if not robot.legs:
+        raise UsageError(f"{robot.name} has no legs to stand on")
+    feet = robot.standing_feet if feet is None else np.asarray(feet, float)
     R = rpy_to_rotation(rpy)
     return legs_ik(robot, feet_from_body(feet, xyz, R), R)
 
@@ -79,9 +70,8 @@ def legs_ik(robot: Robot, feet: ArrayLike, turned: ArrayLike | None = None) -> B
     names = tuple(leg.name for leg in legs)
     if robot.equal_legs is not None:
         q, reachable = leg_ik(local, *robot.equal_legs)
-        lower, upper = robot.leg_limits
-        fits = ((q >= lower - LIMIT_SLACK) & (q <= upper + LIMIT_SLACK)).all(axis=-1)
-        if fits.all():
+        lowest, highest = robot.leg_bounds
+        if ((q >= lowest) & (q <= highest)).all():
             return BodyPose(names, feet, q, reachable)
     if len({len(leg.joints) for leg in legs}) > 1:
         raise UsageError(f"the legs of {robot.name} differ in their number of joints")
@@ -140,7 +130,7 @@ def stand(robot: Robot, xyz_mm: ArrayLike, rpy_deg: ArrayLike) -> Stand:
     Raises:
         UsageError: numbers that are not finite, or a robot without legs.
     """
-    finite(xyz_mm, "a displacement's numbers")
-    finite(rpy_deg, "angles")
     xyz, rpy = np.asarray(xyz_mm, float) / 1000, np.radians(rpy_deg)
+    check_place(xyz, "a displacement's numbers")
+    finite(rpy, "angles")
     return Stand(robot, xyz, rpy, body_pose(robot, xyz, rpy))

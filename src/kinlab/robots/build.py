@@ -145,28 +145,37 @@ def _joints(
     used: set[str] = set()
     joints = []
     for i, spec in enumerate(specs):
-        link = [0.0, 0.0, 0.0]
-        for direction, term in spec.link.items():
-            key = term.removeprefix("-")
-            if key not in figures:
-                if group.joints == "leg":
-                    near = suggestion(key, [f for f in figures if f not in {s.name for s in LEG}])
-                    raise SpecError((name,), f"'{key}' is missing: the length of the {key} in mm{near}")
-                raise SpecError(
-                    (name, "joints", i, "link"), f"no length is named '{key}'{suggestion(key, figures)}"
-                )
-            used.add(key)
-            link["xyz".index(direction)] = (-1 if term.startswith("-") else 1) * figures[key].value / 1000  # type: ignore[operator]
+        link = _link(spec, figures, group.joints == "leg", (name,), (name, "joints", i, "link"))
+        used.update(term.removeprefix("-") for term in spec.link.values())
         lower, upper, source = _limits(group.limits.get(spec.name, _EVERYWHERE), (name, "limits", spec.name))
         mass = group.masses.get(spec.name)
         kg = _mass(spec.name, mass, (name, "masses", spec.name)).value / 1000 if mass is not None else None  # type: ignore[operator]
         axis = _axis(spec.axis, (name, "joints", i, "axis"))
-        joints.append(Joint(spec.name, axis, (link[0], link[1], link[2]), lower, upper, source, mass=kg))
+        joints.append(Joint(spec.name, axis, link, lower, upper, source, mass=kg))
+    if not used:
+        raise SpecError((name, "joints"), "a limb needs at least one link")
     for key in figures:
         if key not in used:
             known = [*used, *(f for f in Group.__struct_fields__ if f != "lengths")]
             raise SpecError((name, key), f"no joint uses the length '{key}'{suggestion(key, known)}")
     return tuple(joints)
+
+
+def _link(
+    spec: JointSpec, figures: dict[str, Dimension], leg: bool, group: tuple[Any, ...], place: tuple[Any, ...]
+) -> tuple[float, float, float]:
+    link = dict.fromkeys(_AXES, 0.0)
+    for direction, term in spec.link.items():
+        key = term.removeprefix("-")
+        if key not in figures and leg:
+            near = suggestion(key, [f for f in figures if f not in {s.name for s in LEG}])
+            raise SpecError(group, f"'{key}' is missing: the length of the {key} in mm{near}")
+        if key not in figures:
+            raise SpecError(place, f"no length is named '{key}'{suggestion(key, figures)}")
+        if direction not in link:
+            raise SpecError(place, f"a link goes along x, y and z, not '{direction}'")
+        link[direction] = (-1 if term.startswith("-") else 1) * figures[key].value / 1000  # type: ignore[operator]
+    return link["x"], link["y"], link["z"]
 
 
 def _servos(

@@ -1,23 +1,27 @@
 """Inverse kinematics of a limb: all solutions, chosen by the limits, for one target or a million."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from kinlab.errors import UsageError
-from kinlab.kinematics import chain, numeric
+from kinlab.kinematics import chain
 from kinlab.kinematics.blocks import blocks
 from kinlab.kinematics.transforms import Array, homogeneous, wrap
-from kinlab.robots.model import Limb
+from kinlab.robots.model import LIMIT_SLACK, Limb
 from kinlab.units import finite
 
-# Iterated solutions (limbs without a closed form) are polished to this residual, in metres.
-POLISHED_M = 1e-13
+# Iterated solutions (limbs without a closed form): polished as far as the arithmetic goes, taken as
+# exact below EXACT_M, in metres, and as one where no joint differs by SAME, in rad.
+POLISHED_M = 1e-17
+EXACT_M = 1e-12
+SAME = 1e-5
+# They start from the poses, out of SAMPLES, that bring the tip nearest, each APART (rad) from the others.
+SAMPLES = 4096
 STARTS = 12
-# A solution this far (rad) outside a limit is on it: where a limb is stretched or folded, the rounding
-# of a target's last digit turns the joints by up to about 1e-7.
-LIMIT_SLACK = 2e-7
+APART = 0.5
 # Lengths of a limb, see `nearest`.
 FAR = 1e9
 
@@ -74,6 +78,8 @@ def inverse_kinematics(limb: Limb, target: ArrayLike, rotation: ArrayLike | None
     if rotation is not None and not posed:
         raise UsageError(f"limb {limb.name} has {len(limb.joints)} joints: it cannot choose its attitude")
     R = np.eye(3) if rotation is None else np.asarray(rotation, float)
+    if R.shape[-2:] != (3, 3) or not np.abs(R @ np.swapaxes(R, -1, -2) - np.eye(3)).max(initial=0.0) < 1e-6:
+        raise UsageError("an attitude is a rotation matrix of shape (3, 3)")
     lead = np.broadcast_shapes(target.shape[:-1], R.shape[:-2] if posed else ())
     target = np.broadcast_to(target, (*lead, 3)).reshape(-1, 3)
     attitudes = np.broadcast_to(R, (*lead, 3, 3)).reshape(-1, 3, 3) if posed else None
@@ -121,22 +127,37 @@ def fit_limits(limb: Limb, q: Array) -> Array:
 
 def _iterate(limb: Limb, target: Array, rotation: Array | None) -> tuple[Array, Array]:
     """Solutions of a chain that has no closed form: Levenberg-Marquardt from many starts, the distinct ones kept."""
+    from kinlab.kinematics import numeric
+
     rng = np.random.default_rng(0)
     lower, upper = limb.limits
-    starts = np.vstack([(lower + upper) / 2, rng.uniform(lower, upper, (STARTS - 1, len(lower)))])
-    solutions = np.full((len(target), STARTS, len(lower)), np.nan)
-    for i, point in enumerate(target):
+    n = len(lower)
+    samples = np.vstack([rng.uniform(lower, upper, (SAMPLES, n)), rng.uniform(-np.pi, np.pi, (SAMPLES, n))])
+    tips = limb.fk(samples)[:, :3, 3]
+    solutions = np.full((len(target), STARTS, n), np.nan)
+    for i in np.flatnonzero(np.isfinite(target).all(axis=-1)):
         kept: list[Array] = []
-        for start in starts if np.isfinite(point).all() else ():
-            R = None if rotation is None else rotation[i]
+        R = None if rotation is None else rotation[i]
+        for start in _apart(samples[np.argsort(np.linalg.norm(tips - target[i], axis=1))]):
             found = numeric.solve(
-                limb.axes, limb.links, point, start, method="lm", rotation=R, tolerance_m=POLISHED_M
-            )
-            near = [np.abs(wrap(found.q - other)).max() < 1e-6 for other in kept]
-            if found.residual_m < 1e-12 and not any(near):
+                limb.axes, limb.links, target[i], start,
+                method="lm", rotation=R, tolerance_m=POLISHED_M, max_iterations=100,
+            )  # fmt: skip
+            near = [np.abs(wrap(found.q - other)).max() < SAME for other in kept]
+            if found.residual_m < EXACT_M and not any(near):
                 kept.append(found.q)
         solutions[i, : len(kept)] = kept or np.nan
     return solutions, np.isfinite(solutions[:, 0, 0])
+
+
+def _apart(samples: Array) -> Iterator[Array]:
+    """Up to STARTS of the `samples`, the first ones first, each unlike those before it."""
+    for _ in range(STARTS):
+        if not len(samples):
+            return
+        first = samples[0]
+        yield first
+        samples = samples[np.abs(wrap(samples - first)).max(axis=1) > APART]
 
 
 def nearest(limb: Limb, target: ArrayLike) -> Array:

@@ -16,6 +16,9 @@ from kinlab.robots.provenance import Dimension, Provenance
 from kinlab.robots.servo import Servo
 
 FRAMES = ("limb", "body", "paper")
+# A solution this far (rad) outside a limit is on it: where a limb is stretched or folded, the rounding
+# of a target's last digit turns the joints by up to about 1e-7.
+LIMIT_SLACK = 2e-7
 
 
 @dataclass(frozen=True)
@@ -214,9 +217,15 @@ class Robot:
         return inverse(np.stack([leg.mount for leg in self.legs]))
 
     @cached_property
-    def leg_limits(self) -> Array:
-        """Lower and upper limits (2, L, n) of the legs' joints, in rad."""
-        return np.stack([leg.limits for leg in self.legs], axis=1)
+    def standing_feet(self) -> Array:
+        """Where the feet stand (L, 3), in the body frame, metres."""
+        return np.array([leg.from_limb(leg.stance, "body") for leg in self.legs if leg.stance is not None])
+
+    @cached_property
+    def leg_bounds(self) -> Array:
+        """Lower and upper limits (2, L, n) of the legs' joints, in rad, with their slack."""
+        limits = np.stack([leg.limits for leg in self.legs], axis=1)
+        return np.asarray(limits + np.array([-LIMIT_SLACK, LIMIT_SLACK])[:, None, None])
 
     @cached_property
     def equal_legs(self) -> tuple[float, float, float] | None:

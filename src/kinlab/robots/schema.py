@@ -56,7 +56,7 @@ class Mounting(Sourced):
 class JointSpec(Struct, forbid_unknown_fields=True):
     name: str
     axis: Axis | tuple[float, float, float]
-    link: dict[Literal["x", "y", "z"], str] = {}
+    link: dict[str, str] = {}
 
 
 class Member(Struct, forbid_unknown_fields=True):

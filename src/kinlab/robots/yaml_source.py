@@ -5,6 +5,7 @@ whatever tags a file carries; aliases are shared, never copied; nesting, size an
 are refused with the line at which they stand.
 """
 
+import re
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +18,8 @@ MAX_DEPTH = 20
 MAX_VALUES = 100_000
 
 _PREFIX = "tag:yaml.org,2002:"
+# What a terminal would obey instead of showing.
+_CONTROL = re.compile("[\\x00-\\x08\\x0b-\\x1f\\x7f-\\x9f]")
 _KINDS = ("str", "int", "float", "bool", "null", "timestamp", "merge")
 
 
@@ -50,8 +53,8 @@ def read_text(path: Path) -> str:
     try:
         with path.open("rb") as file:
             raw = file.read(MAX_BYTES + 1)
-    except OSError as error:
-        raise FileError(f"{path}: {error.strerror or error}") from None
+    except (OSError, ValueError) as error:
+        raise FileError(f"{path}: {getattr(error, 'strerror', None) or error}") from None
     if len(raw) > MAX_BYTES:
         raise FileError(f"{path}: larger than {MAX_BYTES // 1000} kB, which no robots file needs to be")
     try:
@@ -86,7 +89,8 @@ class _Builder:
         self.name = name
         self.anchors: dict[str, Any] = {}
         self.stack: list[tuple[Mapping | Sequence, str | None]] = []
-        self.keys: list[str | None] = []
+        # The key, with its line, that waits for its value, in each open mapping.
+        self.keys: list[tuple[str, int] | None] = []
         self.root: Any = None
         self.documents = 0
 
@@ -126,19 +130,28 @@ class _Builder:
         return self.root
 
     def scalar(self, event: yaml.ScalarEvent, line: int) -> Any:
+        if _CONTROL.search(event.value):
+            raise self.fail(line, f"control characters are not allowed, got {event.value[:40]!r}")
         tag = event.tag
         if tag in (None, "!"):
             tag = _RESOLVER.resolve(yaml.ScalarNode, event.value, event.implicit)  # type: ignore[no-untyped-call]
         kind = tag.removeprefix(_PREFIX)
+        if event.tag is None and event.implicit[0]:
+            # YAML 1.1 takes 5e1 for text and 1:30 for ninety; a reader of lengths does not.
+            kind = "float" if _SCIENTIFIC.fullmatch(event.value) else "str" if ":" in event.value else kind
         if kind not in _KINDS:
             raise self.fail(line, f"tag {tag} is not allowed; a robots file is plain data")
         if kind in ("str", "timestamp", "merge"):
             return _Merge() if kind == "merge" else event.value
-        node = yaml.ScalarNode(tag, event.value)
+        node = yaml.ScalarNode(_PREFIX + kind, event.value)
         try:
-            return _CONSTRUCTOR.construct_object(node)
-        except (ValueError, KeyError, OverflowError, yaml.YAMLError):
+            value = _CONSTRUCTOR.construct_object(node)
+            # Beyond this an int is no float any more, and from 4300 digits on not even text.
+            if isinstance(value, int):
+                float(value)
+        except (ValueError, LookupError, OverflowError, yaml.YAMLError):
             raise self.fail(line, f"'{event.value[:40]}' is not a valid {kind}") from None
+        return value
 
     def add(self, value: Any, line: int, anchor: str | None) -> None:
         if anchor is not None:
@@ -148,7 +161,7 @@ class _Builder:
             return
         parent, _ = self.stack[-1]
         if isinstance(parent, Mapping) and self.keys[-1] is None:
-            self.keys[-1] = self.key(value, parent, line)
+            self.keys[-1] = self.key(value, parent, line), line
             return
         parent.size += getattr(value, "size", 1)
         if parent.size > MAX_VALUES:
@@ -157,8 +170,9 @@ class _Builder:
             parent.append(value)
             parent.lines.append(line)
             return
-        key, self.keys[-1] = self.keys[-1], None
-        assert key is not None
+        waiting, self.keys[-1] = self.keys[-1], None
+        assert waiting is not None
+        key, line = waiting
         if key == "<<":
             self.merge(parent, value, line)
         else:
@@ -170,7 +184,7 @@ class _Builder:
     def key(self, value: Any, parent: Mapping, line: int) -> str:
         if isinstance(value, _Merge):
             return "<<"
-        if not isinstance(value, str):
+        if not isinstance(value, str) or not value:
             raise self.fail(line, f"a key must be a name, got {value!r}"[:80])
         if value in parent and value not in parent.merged:
             raise self.fail(line, f"'{value}' stands here twice; first in line {parent.lines[value]}")
@@ -201,3 +215,4 @@ def _name_of(value: Any) -> str:
 
 _RESOLVER = yaml.resolver.Resolver()
 _CONSTRUCTOR = yaml.constructor.SafeConstructor()
+_SCIENTIFIC = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)[eE][+-]?\d+")

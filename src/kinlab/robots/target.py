@@ -1,20 +1,22 @@
 """The path for one target, every station of it: angles, servo angles, commands, and the error at each depth.
 
-What `kinlab ik` and `kinlab fk` show, as data; figures for people, in millimetres and degrees.
+What `kinlab ik` shows, as data; figures for people in millimetres and degrees.
 """
 
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from kinlab.kinematics import dh, manipulability, numeric
 from kinlab.kinematics.transforms import Array, rpy_to_rotation
 from kinlab.names import resolve
-from kinlab.robots.inverse import LIMIT_SLACK, fit_limits, inverse_kinematics, nearest
-from kinlab.robots.model import FRAMES, Limb, Robot
-from kinlab.units import finite
+from kinlab.robots.inverse import fit_limits, inverse_kinematics, nearest
+from kinlab.robots.model import FRAMES, LIMIT_SLACK, Limb, Robot
+from kinlab.units import check_place
+
+if TYPE_CHECKING:
+    from kinlab.kinematics.numeric import Solution
 
 
 @dataclass(frozen=True)
@@ -90,7 +92,7 @@ class TargetReport:
     chosen: int | None
     reason: str
     nearest: Array | None
-    attempt: numeric.Solution | None = None
+    attempt: "Solution | None" = None
 
     @property
     def reachable(self) -> bool:
@@ -104,9 +106,9 @@ class TargetReport:
 
     def place_mm(self, point: Array) -> list[float]:
         """A point of the limb frame (3,), in metres, as millimetres in the frame shown."""
-        return _place_mm(self.limb, point, self.frame)
+        return place_mm(self.limb, point, self.frame)
 
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self, *, servos: bool = True) -> dict[str, Any]:
         """The contract of `kinlab ik --json`, without `as_printed`."""
         found: dict[str, Any] = {
             "robot": self.robot.name,
@@ -115,7 +117,7 @@ class TargetReport:
             "target_mm": self.place_mm(self.target),
             "reachable": self.reachable,
             "chosen": self.chosen,
-            "solutions": [self._pose_json(pose) for pose in self.poses],
+            "solutions": [self._pose_json(pose, servos) for pose in self.poses],
         }
         if not self.reachable:
             found["reason"] = self.reason
@@ -123,10 +125,12 @@ class TargetReport:
                 found["nearest_mm"] = self.place_mm(self.nearest)
                 found["missed_mm"] = self.missed_mm
         if self.attempt is not None:
+            from kinlab.robots.methods import attempt_json
+
             found["method"] = attempt_json(self.limb, self.attempt)
         return found
 
-    def _pose_json(self, pose: PoseReport) -> dict[str, Any]:
+    def _pose_json(self, pose: PoseReport, servos: bool) -> dict[str, Any]:
         return {
             "name": pose.name,
             "angles_deg": angles_deg(self.limb, pose.q),
@@ -134,31 +138,16 @@ class TargetReport:
             "beyond": list(pose.beyond),
             "fk_mm": self.place_mm(pose.tip),
             "error_mm": pose.error_m * 1000,
-            "servos": {name: servo.to_json() for name, servo in pose.servos.items()},
+            "servos": {name: servo.to_json() for name, servo in pose.servos.items() if servos},
             "quantised_fk_mm": None if pose.quantised is None else self.place_mm(pose.quantised),
             "quantised_error_mm": None if pose.quantised_error_m is None else pose.quantised_error_m * 1000,
         }
 
 
-def _place_mm(limb: Limb, point: Array, frame: str) -> list[float]:
+def place_mm(limb: Limb, point: Array, frame: str) -> list[float]:
+    """A point of the limb frame (3,), in metres, as millimetres in `frame`."""
     # A picometre is beyond what doubles hold of a leg; rounding there keeps 75.00000000000001 out of sight.
     return [round(float(v), 9) + 0.0 for v in limb.from_limb(point, frame) * 1000]
-
-
-def attempt_json(limb: Limb, attempt: numeric.Solution) -> dict[str, Any]:
-    """A run of a numeric method: how it ended, and its trace."""
-    return {
-        "name": attempt.method,
-        "converged": attempt.converged,
-        "residual_mm": attempt.residual_m * 1000,
-        "iterations": attempt.iterations,
-        "reason": attempt.reason,
-        "angles_deg": angles_deg(limb, attempt.q),
-        "trace": [
-            {"angles_deg": angles_deg(limb, step.q), "residual_mm": step.residual_m * 1000, "note": step.note}
-            for step in attempt.trace
-        ],
-    }
 
 
 def angles_deg(limb: Limb, q: ArrayLike) -> dict[str, float]:
@@ -187,7 +176,7 @@ def solve_target(
     Raises:
         UsageError: numbers that are not finite, a wrong name, an attitude that the limb cannot choose.
     """
-    finite(target, "a target's numbers")
+    check_place(target, "a target's numbers")
     frame = resolve(frame, FRAMES, "frame")
     point = limb.to_limb(target, frame)
     rotation = None if rpy is None else rpy_to_rotation(rpy)
@@ -196,6 +185,8 @@ def solve_target(
     if method is None:
         named = [(n, q) for n, q in zip(found.names, found.solutions, strict=True) if np.isfinite(q).all()]
     else:
+        from kinlab.robots.methods import attempt_target
+
         attempt = attempt_target(limb, point, method, rotation)
         q = attempt.q.copy()
         fit_limits(limb, q)
@@ -212,32 +203,30 @@ def solve_target(
     return TargetReport(robot, limb, frame, point, rotation, poses, chosen, reason, closest, attempt)
 
 
-def attempt_target(limb: Limb, target: Array, method: str, rotation: Array | None = None) -> numeric.Solution:
-    """A numeric method from the middle of the joints' limits to `target` (3,), limb frame, metres."""
-    if rotation is None and len(limb.joints) >= 6:
-        rotation = np.eye(3)
-    start = limb.limits.mean(axis=0)
-    return numeric.solve(limb.axes, limb.links, target, start, method=method, rotation=rotation)
-
-
 def _pose(limb: Limb, name: str, q: Array, target: Array) -> PoseReport:
     tip = limb.fk(q)[:3, 3]
-    lower, upper = limb.limits
-    beyond = []
-    for i, joint in enumerate(limb.joint_names):
-        if q[i] < lower[i] - LIMIT_SLACK:
-            beyond.append(
-                f"{joint} {np.degrees(q[i]):.2f} deg is below its limit of {np.degrees(lower[i]):.1f}"
-            )
-        elif q[i] > upper[i] + LIMIT_SLACK:
-            beyond.append(
-                f"{joint} {np.degrees(q[i]):.2f} deg is above its limit of {np.degrees(upper[i]):.1f}"
-            )
+    beyond = beyond_limits(limb, q)
     servos, quantised = read_servos(limb, q)
     error = None if quantised is None else float(np.linalg.norm(quantised - target))
     return PoseReport(
-        name, q, not beyond, tuple(beyond), tip, float(np.linalg.norm(tip - target)), servos, quantised, error
+        name, q, not beyond, beyond, tip, float(np.linalg.norm(tip - target)), servos, quantised, error
     )
+
+
+def beyond_limits(limb: Limb, q: Array) -> tuple[str, ...]:
+    """What of the angles `q` (n,), rad, breaks a limit, in words."""
+    lower, upper = limb.limits
+    found = []
+    for i, joint in enumerate(limb.joint_names):
+        if q[i] < lower[i] - LIMIT_SLACK:
+            found.append(
+                f"{joint} {np.degrees(q[i]):.2f} deg is below its limit of {np.degrees(lower[i]):.1f}"
+            )
+        elif q[i] > upper[i] + LIMIT_SLACK:
+            found.append(
+                f"{joint} {np.degrees(q[i]):.2f} deg is above its limit of {np.degrees(upper[i]):.1f}"
+            )
+    return tuple(found)
 
 
 def read_servos(limb: Limb, q: Array) -> tuple[dict[str, ServoReading], Array | None]:
@@ -265,151 +254,18 @@ def _reason(limb: Limb, target: Array, poses: tuple[PoseReport, ...], exists: Ar
         )
     if exists:
         return ""
+    form = limb.closed_form
+    if form is not None and form.kind == "leg":
+        coxa, femur, tibia = (length * 1000 for length in form.lengths)
+        r, h = np.hypot(*target[:2]) * 1000 - coxa, target[2] * 1000
+        distance, rest = (
+            np.hypot(r, h),
+            f"from the femur's joint, and femur and tibia reach {femur + tibia:.1f} mm",
+        )
+        if distance < abs(femur - tibia):
+            rest = f"from the femur's joint, and the folded leg keeps {abs(femur - tibia):.1f} mm away"
+        return f"out of reach: {distance:.1f} mm {rest}"
     distance, length = np.linalg.norm(target) * 1000, np.linalg.norm(limb.links, axis=1).sum() * 1000
     if distance > length:
         return f"out of reach: {distance:.1f} mm from the first joint, and the stretched limb is {length:.1f} mm long"
     return "out of reach: no angles of the joints bring the tip there"
-
-
-@dataclass(frozen=True)
-class MethodComparison:
-    """One target through every numeric method, beside the closed form.
-
-    Attributes:
-        robot, limb, frame, target: as in TargetReport.
-        closed: the closed form's pose, or None.
-        no_closed_form: why there is none; empty where there is.
-        runs: one of each method, all from the middle of the joints' limits.
-    """
-
-    robot: Robot
-    limb: Limb
-    frame: str
-    target: Array
-    closed: PoseReport | None
-    no_closed_form: str
-    runs: tuple[numeric.Solution, ...]
-
-    def place_mm(self, point: Array) -> list[float]:
-        """A point of the limb frame (3,), in metres, as millimetres in the frame shown."""
-        return _place_mm(self.limb, point, self.frame)
-
-    def to_json(self) -> dict[str, Any]:
-        """The runs with their traces."""
-        return {
-            "robot": self.robot.name,
-            "limb": self.limb.name,
-            "frame": self.frame,
-            "target_mm": self.place_mm(self.target),
-            "closed_form": None if self.closed is None else angles_deg(self.limb, self.closed.q),
-            "methods": [attempt_json(self.limb, run) for run in self.runs],
-        }
-
-
-def compare_methods(
-    robot: Robot, limb: Limb, target: ArrayLike, *, frame: str = "limb", rpy: ArrayLike | None = None
-) -> MethodComparison:
-    """One target (3,), in metres and in `frame`, through every numeric method; arguments as in `solve_target`."""
-    exact = solve_target(robot, limb, target, frame=frame, rpy=rpy)
-    runs = tuple(attempt_target(limb, exact.target, name, exact.rotation) for name in numeric.METHODS)
-    closed, why = None, exact.reason
-    if limb.closed_form is None:
-        why = "this chain has none"
-    elif exact.chosen is not None:
-        closed = exact.poses[exact.chosen]
-    return MethodComparison(robot, limb, exact.frame, exact.target, closed, why, runs)
-
-
-@dataclass(frozen=True)
-class PoseOfTip:
-    """What `kinlab fk` shows.
-
-    Attributes:
-        robot, limb: asked.
-        frame: limb, body or paper.
-        q: angles (n,), rad.
-        position: of the tip (3,), in `frame`, metres.
-        rotation: of the tip (3, 3), in `frame`.
-        jacobian: (6, n) in `frame`, m/rad and rad/rad.
-    """
-
-    robot: Robot
-    limb: Limb
-    frame: str
-    q: Array
-    position: Array
-    rotation: Array
-    jacobian: Array
-
-    @property
-    def manipulability(self) -> float:
-        """Yoshikawa's measure: of the linear rows for limbs of up to three joints, else of all six."""
-        rows = self.jacobian[:3] if len(self.q) <= 3 else self.jacobian
-        return float(manipulability(rows))
-
-    @property
-    def outside(self) -> tuple[str, ...]:
-        """What breaks a limit, in words."""
-        return _pose(self.limb, "", self.q, np.zeros(3)).beyond
-
-    def dh_json(self) -> dict[str, Any]:
-        """The limb's Denavit-Hartenberg parameters, with the transforms before and after them, in m."""
-        found = dh.from_chain(self.limb.axes, self.limb.links)
-        rows = zip(
-            self.limb.joint_names,
-            np.degrees(found.theta),
-            found.d,
-            found.a,
-            np.degrees(found.alpha),
-            strict=True,
-        )
-        return {
-            "joints": [
-                {
-                    "joint": n,
-                    "theta_deg": float(t),
-                    "d_mm": d * 1000 + 0.0,
-                    "a_mm": a * 1000 + 0.0,
-                    "alpha_deg": float(al),
-                }
-                for n, t, d, a, al in rows
-            ],
-            "base": (found.base + 0.0).tolist(),
-            "tool": (found.tool + 0.0).tolist(),
-        }
-
-    def to_json(self, *, jacobian: bool = False) -> dict[str, Any]:
-        """The contract of `kinlab fk --json`."""
-        found: dict[str, Any] = {
-            "robot": self.robot.name,
-            "limb": self.limb.name,
-            "frame": self.frame,
-            "angles_deg": angles_deg(self.limb, self.q),
-            "position_mm": [round(float(v), 9) + 0.0 for v in self.position * 1000],
-            "rotation": (self.rotation + 0.0).tolist(),
-            "within_limits": not self.outside,
-        }
-        if jacobian:
-            found["jacobian"] = (self.jacobian + 0.0).tolist()
-            found["manipulability"] = self.manipulability
-        return found
-
-
-def pose_of_tip(robot: Robot, limb: Limb, angles: ArrayLike, *, frame: str = "limb") -> PoseOfTip:
-    """Where the tip of `limb` is at `angles` (n,), in degrees as people type them.
-
-    Raises:
-        UsageError: numbers that are not finite, a wrong count of them, a wrong name.
-    """
-    finite(angles, "angles")
-    frame = resolve(frame, FRAMES, "frame")
-    q = np.radians(np.asarray(angles, float))
-    T = limb.fk(q)
-    turn = {"limb": np.eye(3), "body": limb.mount[:3, :3], "paper": limb.paper_axes.T}[frame]
-    J = limb.jacobian(q)
-    # Angular rates are axial vectors: a reflection of the axes turns them around.
-    axial = turn * np.linalg.det(turn)
-    shown = np.concatenate([turn @ J[:3], axial @ J[3:]])
-    # In the paper's axes both sides of the rotation are named anew; the body's only its base.
-    rotation = turn @ T[:3, :3] @ (turn.T if frame == "paper" else np.eye(3))
-    return PoseOfTip(robot, limb, frame, q, limb.from_limb(T[:3, 3], frame), rotation, shown)
