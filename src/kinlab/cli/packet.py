@@ -6,7 +6,7 @@ from typing import Annotated, Any
 import typer
 from typer.core import TyperGroup
 
-from kinlab.cli.command import JsonOption, NumericCommand, command_app, print_json
+from kinlab.cli.command import JsonOption, NumericCommand, command_app, converted_plainly, print_json
 from kinlab.cli.printing import print_lines
 
 Model = Annotated[
@@ -16,6 +16,9 @@ Model = Annotated[
 
 class ScriptGroup(TyperGroup):
     """A group whose first word may also be a script file."""
+
+    def get_params(self, ctx: Any) -> list[Any]:
+        return converted_plainly(super().get_params(ctx))
 
     def resolve_command(self, ctx: Any, args: list[str]) -> Any:
         from pathlib import Path

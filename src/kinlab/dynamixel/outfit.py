@@ -1,5 +1,6 @@
 """Which servos a chain has: a robot's, or those that a user names."""
 
+import re
 from pathlib import Path
 
 from kinlab.dynamixel.chain import Chain
@@ -31,10 +32,10 @@ def parse_ids(text: str) -> list[int]:
     """
     ids: list[int] = []
     for part in text.split(","):
-        first, _, last = part.strip().partition("-")
-        if not first.isdecimal() or (last and not last.isdecimal()):
+        span = re.fullmatch(r"\s*(\d{1,3})(?:-(\d{1,3}))?\s*", part, re.ASCII)
+        if span is None:
             raise UsageError(f"'{part}' is no id; ids are numbers from 0 to 253")
-        ids += range(int(first), int(last or first) + 1)
+        ids += range(int(span[1]), int(span[2] or span[1]) + 1)
     wrong = [i for i in ids if i > 253]
     if wrong:
         raise UsageError(f"{wrong[0]} is no id; ids are numbers from 0 to 253")

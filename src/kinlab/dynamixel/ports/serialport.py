@@ -15,7 +15,7 @@ with suppress(ImportError):
     import termios  # There is none where there are no Unix terminals.
 
     GONE += (termios.error,)
-UNFIT = (*GONE, ValueError)
+UNFIT: tuple[type[Exception], ...] = (*GONE, ValueError)
 
 
 class SerialPort:

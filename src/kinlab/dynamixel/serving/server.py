@@ -102,9 +102,9 @@ class Server:
 
     def _send(self, link: Link, data: bytes, now: float) -> None:
         if link in self._receivers:
-            link.send(data)
             if self._watch:
                 self._watch("<-", data, now)
+            link.send(data)
 
     def _close(self) -> None:
         for link in self._receivers:
