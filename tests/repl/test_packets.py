@@ -139,3 +139,9 @@ def test_colouring_loses_no_character(session, line):
 )
 def test_the_toolbar_helps(session, line, text):
     assert text in toolbar(session, line)
+
+
+def test_the_toolbar_follows_the_packet_that_is_assembled(session):
+    execute(session, "step FF FF 01 02")
+    assert toolbar(session, "") == "4 bytes; next: instruction"
+    assert "which would be FB" in toolbar(session, "01")

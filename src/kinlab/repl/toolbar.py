@@ -3,12 +3,15 @@
 from kinlab.dynamixel.codec.dissect import dissect
 from kinlab.dynamixel.codec.hextext import HexError, parse_hex, show_hex
 from kinlab.dynamixel.sandbox import VERBS, Session
+from kinlab.dynamixel.sandbox.assembling import looks_like_bytes
 from kinlab.dynamixel.sandbox.wire import right_check
 
 
 def toolbar(session: Session, text: str) -> str:
     """What helps with the line as it stands."""
     verb, _, rest = text.strip().partition(" ")
+    if session.assembling is not None and (not verb or looks_like_bytes(text.strip())):
+        return _of_bytes(session, session.assembling + parse_hex(text))
     if verb in ("send", "decode") and rest:
         try:
             return _of_bytes(session, parse_hex(rest.removeprefix("status").removesuffix("..")))

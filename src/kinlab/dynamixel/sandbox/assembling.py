@@ -71,6 +71,7 @@ def _what_next(dissection: Dissection, data: bytes) -> str:
         "instruction": "what to do (01 PING, 02 READ, 03 WRITE ...)",
         "address": "where in the control table",
         "count": "how many bytes to read",
+        "data": "what to store, low byte first",
     }
     return f"{name}: {hints[name]}" if name in hints else name
 
