@@ -93,6 +93,9 @@ def test_mistakes(kinlab, args, code, word):
         (["--servo", "AX-12A:1", "--noise", "2"], 2, "chance from 0 to 1"),
         (["--servo", "AX-12A:1", "--baud", "-5"], 2, "more than 0"),
         (["--servo", "AX-12A:1", "--tcp", "nowhere"], 2, "no TCP address"),
+        (["--servo", "AX-12A:1", "--fault", "1:overlaod"], 2, "did you mean overload"),
+        (["--servo", "AX-12A:1", "--fault", "2:dead"], 2, "no servo has the id 2"),
+        (["--servo", "AX-12A:1", "--fault", "1:baud fast"], 2, "no speed"),
     ],
 )
 def test_chains_that_cannot_be(kinlab, args, code, word, tmp_path, monkeypatch):

@@ -1,5 +1,6 @@
 """The chain: who answers what, when, and what the wire does to it."""
 
+import random
 from itertools import pairwise
 
 import pytest
@@ -301,8 +302,6 @@ class TestReceiver:
             assert len(receiver.feed(encode(request), 1.0, MBPS)) == 1
 
     def test_mutated_packets_never_stop_the_next_good_one(self, x):
-        import random
-
         source = random.Random(11)
         receiver, now = Receiver(x), 0.0
         good = encode(packet(2, 2, "READ", {"address": 132, "count": 4}))
@@ -321,8 +320,6 @@ class TestReceiver:
             assert [decode(b.data, 2).id for b in answers][-1:] == [2]
 
     def test_sound_packets_with_senseless_contents_do_no_harm(self, ax, x):
-        import random
-
         source, now = random.Random(12), 0.0
         for chain, protocol in ((ax, 1), (x, 2)):
             for _ in range(3000):
@@ -358,3 +355,25 @@ class TestEeprom:
         path.write_text(text)
         with pytest.raises(FileError, match=r"wrong\.json"):
             load_eeprom(ax, path)
+
+
+def test_servos_are_switched_on_when_the_clock_says_so(ax):
+    """A machine's clock has run for days before a chain is made; the servos have not."""
+    ax.begin(1e7)
+    assert ax.servo(1).time == 1e7
+    ax.servo(1).memory["led"] = 1
+    ax.begin(2e7)
+    assert ax.servo(1).memory["led"] == 1
+
+
+@pytest.mark.parametrize("protocol", [1, 2])
+def test_ten_million_random_bytes_leave_the_chain_as_able_as_before(protocol):
+    chain = Chain.of([("AX-12A" if protocol == 1 else "XL430", [i]) for i in (1, 2, 3)])
+    receiver, source, now = Receiver(chain), random.Random(5), 0.0
+    for _ in range(2500):
+        receiver.feed(source.randbytes(4000), now := now + 0.01, MBPS)
+        good = encode(packet(protocol, 2, "PING"))
+        answers = receiver.feed(good, now := now + 0.01, MBPS)
+        ids = [decode(burst.data, protocol, True).id for burst in answers]
+        # Random bytes may have given servo 2 another id.
+        assert ids[-1:] == [2] or all(servo.id != 2 for servo in chain.servos)

@@ -309,6 +309,15 @@ def test_a_second_emulate_on_the_same_link_is_refused(emulate):
         assert bus.ping(1).id == 1
 
 
+def test_emulate_breaks_servos_on_purpose(emulate):
+    faults = ("--fault", "1:overload", "--fault", "2:dead", "--fault", "3:baud 57600")
+    with Bus(str(emulate("--servo", "AX-12A:1-4", *faults, "--volts", "11.1"))) as bus:
+        assert bus.read(4, "present_voltage") == 111
+        assert bus.read(1, "torque_limit") == 0
+        assert bus.alarms[1] == ["overload"]
+        assert [found.id for found in bus.scan(range(1, 5))] == [1, 4]
+
+
 def test_emulate_keeps_its_eeprom(emulate, tmp_path):
     store = tmp_path / "eeprom.json"
     link = emulate("--servo", "AX-12A:1", "--eeprom", str(store))

@@ -45,6 +45,11 @@ def emulate(
     echo: Annotated[
         bool, typer.Option("--echo", help="Send back what comes in, like a bad adapter.")
     ] = False,
+    fault: Annotated[
+        list[str] | None,
+        typer.Option(metavar="ID:FAULT", help="Break a servo: 1:overload, 2:stuck, 3:dead, '4:baud 57600'."),
+    ] = None,
+    volts: Annotated[float, typer.Option(help="What the supply gives.")] = 12.0,
     seed: Annotated[int, typer.Option(help="Of the accidents: the same ones each time.")] = 0,
     robots: RobotsOption = None,
     json: JsonOption = False,
@@ -53,8 +58,10 @@ def emulate(
     from kinlab.dynamixel.chain import Chain, Faults
     from kinlab.dynamixel.chain.eeprom import load_eeprom, save_eeprom
     from kinlab.dynamixel.outfit import modules_of, parse_servo, robot_modules
+    from kinlab.dynamixel.sandbox.requests import one_id
     from kinlab.dynamixel.serving import Server
     from kinlab.dynamixel.serving.tcp import TcpListener
+    from kinlab.dynamixel.servo.breaking import break_servo
     from kinlab.errors import UsageError
 
     modules = robot_modules(robot, robots) if robot else []
@@ -70,8 +77,12 @@ def emulate(
             raise UsageError(f"--{name} is a chance from 0 to 1, not {chance}")
     chain = Chain.of(modules, baud, byte_times)
     chain.faults = Faults(drop, flip, noise, delay_ms / 1000, echo, seed)
+    chain.supply.volts = volts
     if eeprom:
         load_eeprom(chain, eeprom)
+    for text in fault or ():
+        broken, _, kind = text.partition(":")
+        break_servo(chain.servo(one_id(broken)), kind)
     listener = TcpListener(tcp) if tcp else None
     links = []
     if pty or not listener:

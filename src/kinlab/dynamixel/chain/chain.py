@@ -48,6 +48,7 @@ class Chain:
         self.supply = supply
         self.faults = faults or Faults()
         self.byte_times = byte_times
+        self._begun = False
         self.take_census()
 
     @classmethod
@@ -92,6 +93,13 @@ class Chain:
                 f"no servo has the id {number}{suggestion(str(number), map(str, sorted(self._by_id)))}"
             )
         return self._by_id[number][0]
+
+    def begin(self, now: float) -> None:
+        """Switch the servos on at `now`, if they are not on yet; without, they are on since time 0."""
+        if not self._begun:
+            for servo in self.servos:
+                servo.begin(now)
+        self._begun = True
 
     def advance(self, now: float) -> None:
         """Let time pass for every servo."""

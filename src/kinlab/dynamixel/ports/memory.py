@@ -17,6 +17,7 @@ class MemoryPort:
         self.clock = clock
         self.chain = chain
         self._receiver = Receiver(chain)
+        chain.begin(clock.now())
         self._arriving: list[Burst] = []
 
     def send(self, data: bytes) -> None:

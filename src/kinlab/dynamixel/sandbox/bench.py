@@ -8,10 +8,9 @@ from kinlab.dynamixel.sandbox.display import table_lines
 from kinlab.dynamixel.sandbox.requests import one_id
 from kinlab.dynamixel.sandbox.session import Line, Outcome, Session
 from kinlab.dynamixel.servo import Servo
-from kinlab.dynamixel.servo.motor import GearMotor
+from kinlab.dynamixel.servo.breaking import break_servo, motor_of
 from kinlab.dynamixel.tables import ControlTable, load_table
 from kinlab.errors import UsageError
-from kinlab.names import resolve
 
 LONGEST_WAIT = 86_400.0
 
@@ -35,12 +34,6 @@ def _servo(session: Session, text: str) -> Servo:
     servo = chain.servo(one_id(text))
     servo.advance(session.port.clock.now())
     return servo
-
-
-def _motor(servo: Servo) -> GearMotor:
-    if not isinstance(servo.plant, GearMotor):
-        raise UsageError(f"the plant of servo {servo.id} takes no force from here")
-    return servo.plant
 
 
 def table(session: Session, rest: str) -> Outcome:
@@ -103,21 +96,7 @@ def fault(session: Session, rest: str) -> Outcome:
     if len(words) < 2:
         raise UsageError("usage: fault ID ALARM|stuck|dead|off|baud N")
     found = _servo(session, words[0])
-    alarms = {name.replace(" ", "_"): name for _, name in found.table.by_name["shutdown"].values}
-    kind = resolve(words[1], [*alarms, "stuck", "dead", "off", "baud"], "fault")
-    if kind == "off":
-        found.forced.clear()
-        found.dead = False
-        _motor(found).held = False
-    elif kind == "dead":
-        found.dead = True
-    elif kind == "stuck":
-        _motor(found).held = True
-    elif kind == "baud":
-        found.set_baud(int(_number(words[2] if len(words) > 2 else "", "fault ID baud N", 1)))
-    else:
-        found.forced.add(alarms[kind])
-    return _said(f"servo {found.id}: {kind}{f' {found.baud} bps' if kind == 'baud' else ''}")
+    return _said(f"servo {found.id}: {break_servo(found, ' '.join(words[1:]))}")
 
 
 def push(session: Session, rest: str) -> Outcome:
@@ -126,7 +105,7 @@ def push(session: Session, rest: str) -> Outcome:
     if len(words) != 2:
         raise UsageError("usage: push ID NM")
     found = _servo(session, words[0])
-    _motor(found).external = _number(words[1], "push ID NM", -1000.0, 1000.0)
+    motor_of(found).external = _number(words[1], "push ID NM", -1000.0, 1000.0)
     return _said(f"servo {found.id}: {words[1]} N m from outside")
 
 

@@ -34,6 +34,7 @@ class Server:
         """
         self.chain = chain
         self.clock = RealClock()
+        chain.begin(self.clock.now())
         self._receivers = {link: Receiver(chain) for link in links}
         self._listener = listener
         self._watch = watch

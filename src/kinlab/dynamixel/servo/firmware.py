@@ -12,6 +12,10 @@ from kinlab.dynamixel.servo.motor import GearMotor, Plant
 from kinlab.dynamixel.tables import ControlTable, Register
 
 LONGEST_STEP = 0.005  # s; control period of the position loop at most
+STRAINED_STEP, IDLE_STEP = (
+    0.1,
+    10.0,
+)  # s; where nothing changes but the temperature, and (strained) not for long
 
 
 @dataclass
@@ -145,6 +149,11 @@ class Servo(ABC):
         """Whether it is powered, alive and not just restarting."""
         return self.powered and not self.dead and self.time >= self._asleep_until
 
+    def begin(self, now: float) -> None:
+        """Be switched on at `now` (s, on the chain's clock)."""
+        self.time = now
+        self.power_cycle()
+
     def power_cycle(self) -> None:
         """What a loss of power leaves: the EEPROM, and the horn where it was."""
         self.memory.reset("RAM")
@@ -211,7 +220,7 @@ class Servo(ABC):
             # Where nothing changes any more, long steps are as good as short ones.
             if self.drive == drive and abs(plant.velocity - velocity) < 1e-9:
                 if plant.angle == angle or not self.follows_position:
-                    period = 0.1 if health.strained else 1.0
+                    period = STRAINED_STEP if health.strained else IDLE_STEP
             elif period > LONGEST_STEP:
                 period = self.control_period()
         self.time = now

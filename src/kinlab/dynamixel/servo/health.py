@@ -3,6 +3,8 @@
 The makers do not publish heat capacities or how long an overload may last, so these figures are assumed.
 """
 
+import math
+
 from kinlab.dynamixel.tables import ControlTable
 
 AMBIENT = 25.0  # degC
@@ -31,10 +33,10 @@ class Health:
         return self.strained >= OVERLOAD_TIME
 
     def go_on(self, torque: float, current: float, dt: float) -> None:
-        """Let `dt` seconds, few beside the warming time, pass under that torque (N m) and current (A)."""
+        """Let `dt` seconds pass under that torque (N m) and current (A)."""
         if torque >= self._bearable or torque <= -self._bearable:
             self.strained += dt
         elif self.strained and not self.overloaded:
             self.strained = 0.0
         final = AMBIENT + current * current * self._ohms * WARMING
-        self.temperature += (final - self.temperature) * dt / WARMING_TIME
+        self.temperature -= (final - self.temperature) * math.expm1(-dt / WARMING_TIME)
