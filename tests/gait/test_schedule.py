@@ -1,6 +1,6 @@
 """Schedules: who stands when, exactly."""
 
-from fractions import Fraction as F
+from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -67,7 +67,8 @@ def test_the_metachronal_wave_runs_from_the_rear_to_the_front_on_each_side():
 
 
 @pytest.mark.parametrize(
-    ("name", "duty"), [("tripod", F(1, 2)), ("ripple", F(2, 3)), ("metachronal", F(5, 6))]
+    ("name", "duty"),
+    [("tripod", Fraction(1, 2)), ("ripple", Fraction(2, 3)), ("metachronal", Fraction(5, 6))],
 )
 def test_tripod_ripple_and_metachronal_are_wave_gaits(name, duty):
     assert GAITS[name].duty == duty
@@ -102,7 +103,7 @@ def test_swing_flags_of_frames_agree_with_the_exact_schedule():
     robot = load_robot("krsri-hexapod")
     for gait in gaits_for(robot).values():
         walk = plan(robot, gait)
-        at = [F(i, 240) for i in range(-240, 480)]
+        at = [Fraction(i, 240) for i in range(-240, 480)]
         swing = walk.at(np.array([float(x) for x in at]) * walk.period).swing
         expected = [[gait.swings(leg.name, x) for leg in robot.legs] for x in at]
         assert (swing == expected).all()
@@ -156,8 +157,8 @@ def own(tmp_path, kind="quadruped", duty="3/4", touchdown="{LF: 0, RF: 1/2, LH: 
 
 def test_a_file_of_ones_own_adds_gaits(tmp_path):
     gait = find_gait(load_robot("udiebot"), "waddle", own(tmp_path))
-    assert gait.duty == F(3, 4)
-    assert gait.touchdown["LH"] == F(3, 4)
+    assert gait.duty == Fraction(3, 4)
+    assert gait.touchdown["LH"] == Fraction(3, 4)
 
 
 @pytest.mark.parametrize(

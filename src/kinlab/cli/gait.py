@@ -127,7 +127,7 @@ def gait(
 def _step(answer: Any) -> None:
     """The phases one by one, forwards and backwards, for ever, until q."""
     from kinlab.cli.gait_tables import show_phase
-    from kinlab.cli.keys import read_key
+    from kinlab.cli.keys import keys
     from kinlab.cli.show import console, show
     from kinlab.errors import UsageError
 
@@ -135,11 +135,12 @@ def _step(answer: Any) -> None:
         raise UsageError("--step waits for keys, and standard input or output is no terminal; try --phase 1")
     phases = answer.walk.gait.phases
     at = 0
-    while True:
-        console().clear()
-        show_phase(answer, phases[at])
-        show("", "any key: next   b or left: back   q: quit")
-        key = read_key()
-        if key in ("q", "Q", "\x1b", "\x04", ""):
-            return
-        at = (at + (-1 if key in ("b", "p", "\x1b[D", "\x1bOD") else 1)) % len(phases)
+    with keys() as next_key:
+        while True:
+            console().clear()
+            show_phase(answer, phases[at])
+            show("", "any key: next   b or left: back   q: quit")
+            key = next_key()
+            if key in ("q", "Q", "\x1b", "\x04", ""):
+                return
+            at = (at + (-1 if key in ("b", "p", "\x1b[D", "\x1bOD") else 1)) % len(phases)
