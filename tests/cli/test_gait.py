@@ -149,6 +149,17 @@ def test_a_gait_of_ones_own_comes_from_the_robots_file(kinlab, tmp_path):
     assert "own.yaml:5: gaits.amble.touchdwn: no such field; did you mean touchdown" in answer.err
 
 
+def test_energy_shows_models_crossover_and_averages_of_the_paper(kinlab):
+    shown = kinlab("gait", "krsri-hexapod", "--energy")
+    assert shown.code == 0
+    assert "crossover" in shown.out
+    assert "not by KinLab" in shown.out
+    (flat, broken) = kinlab("gait", "krsri-hexapod", "--energy", "--json").json["energy"]
+    assert flat["ground"] == "flat"
+    assert broken["averages"]["wave"]["printed_percent"] == 83.7
+    assert kinlab("gait", "udiebot", "--energy").code == 2
+
+
 class Terminal:
     """`kinlab gait ... --step` on a terminal of its own."""
 

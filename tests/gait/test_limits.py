@@ -25,7 +25,7 @@ def test_joint_speeds_are_the_rates_of_the_joint_angles():
 
 def test_at_the_fastest_speed_the_tightest_joint_is_at_its_servos_limit():
     limits = assess(krsri(gait="wave"))
-    leg, joint = limits.tightest
+    _, joint = limits.tightest
     assert limits.model == "AX-12A"
     at_limit = assess(krsri(gait="wave", forward=limits.fastest * 0.9999))
     assert at_limit.used == pytest.approx(1, abs=1e-3)
@@ -66,7 +66,7 @@ def test_too_high_a_body_is_possible_at_no_speed():
 
 
 def test_a_turn_beyond_the_servos_names_the_fastest_turn():
-    with pytest.raises(KinlabError, match="fastest possible turn with this stride is [\\d.]+ deg/s"):
+    with pytest.raises(KinlabError, match=r"fastest possible turn with this stride is [\d.]+ deg/s"):
         assess(krsri(forward=0.0, turn=3.0))
 
 

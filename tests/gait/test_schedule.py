@@ -125,7 +125,7 @@ def test_the_first_gait_of_a_kind_is_its_default():
 
 
 def test_a_gait_for_another_kind_is_answered_with_those_that_fit():
-    with pytest.raises(UsageError, match="tripod is a gait for a hexapod; .* creep, trot, pace, bound"):
+    with pytest.raises(UsageError, match=r"tripod is a gait for a hexapod; .* creep, trot, pace, bound"):
         find_gait(load_robot("udiebot"), "tripod")
 
 

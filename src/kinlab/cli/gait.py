@@ -58,6 +58,12 @@ def gait(
         bool,
         typer.Option("--as-printed", help="The foot trajectory as the paper prints it, and what is wrong."),
     ] = False,
+    energy: Annotated[
+        bool,
+        typer.Option(
+            "--energy", help="What the paper measured that wave and tripod cost, and a model of it."
+        ),
+    ] = False,
     frames: Annotated[int, typer.Option(metavar="N", help="Frames of a cycle in the JSON.")] = 60,
     robots: RobotsOption = None,
     json: JsonOption = False,
@@ -77,6 +83,9 @@ def gait(
 
     if frames < 1:
         raise UsageError(f"expected at least 1 frame, got {frames}")
+    if energy:
+        _energy(load_robot(robot, robots), json)
+        return
     if step and (json or phase is not None):
         raise UsageError("--step shows all phases to a person: it goes with neither --json nor --phase")
     machine = load_robot(robot, robots)
@@ -122,6 +131,19 @@ def gait(
             show_gait(answer)
         if as_printed:
             show_as_printed(printed)
+
+
+def _energy(machine: Any, json: bool) -> None:
+    """The paper's tables of energy and distance, and their model."""
+    from kinlab.papers.energy import energy_of
+
+    grounds = energy_of(machine)
+    if json:
+        print_json({"robot": machine.name, "energy": [ground.to_json() for ground in grounds]})
+        return
+    from kinlab.cli.energy_tables import show_energy
+
+    show_energy(machine, grounds)
 
 
 def _step(answer: Any) -> None:
