@@ -58,6 +58,12 @@ def gait(
         bool,
         typer.Option("--as-printed", help="The foot trajectory as the paper prints it, and what is wrong."),
     ] = False,
+    energy: Annotated[
+        bool,
+        typer.Option(
+            "--energy", help="What the paper measured that wave and tripod cost, and a model of it."
+        ),
+    ] = False,
     frames: Annotated[int, typer.Option(metavar="N", help="Frames of a cycle in the JSON.")] = 60,
     robots: RobotsOption = None,
     json: JsonOption = False,
@@ -77,6 +83,9 @@ def gait(
 
     if frames < 1:
         raise UsageError(f"expected at least 1 frame, got {frames}")
+    if energy:
+        _energy(load_robot(robot, robots), json)
+        return
     if step and (json or phase is not None):
         raise UsageError("--step shows all phases to a person: it goes with neither --json nor --phase")
     machine = load_robot(robot, robots)
@@ -124,10 +133,23 @@ def gait(
             show_as_printed(printed)
 
 
+def _energy(machine: Any, json: bool) -> None:
+    """The paper's tables of energy and distance, and their model."""
+    from kinlab.papers.energy import energy_of
+
+    grounds = energy_of(machine)
+    if json:
+        print_json({"robot": machine.name, "energy": [ground.to_json() for ground in grounds]})
+        return
+    from kinlab.cli.energy_tables import show_energy
+
+    show_energy(machine, grounds)
+
+
 def _step(answer: Any) -> None:
     """The phases one by one, forwards and backwards, for ever, until q."""
     from kinlab.cli.gait_tables import show_phase
-    from kinlab.cli.keys import read_key
+    from kinlab.cli.keys import keys
     from kinlab.cli.show import console, show
     from kinlab.errors import UsageError
 
@@ -135,11 +157,12 @@ def _step(answer: Any) -> None:
         raise UsageError("--step waits for keys, and standard input or output is no terminal; try --phase 1")
     phases = answer.walk.gait.phases
     at = 0
-    while True:
-        console().clear()
-        show_phase(answer, phases[at])
-        show("", "any key: next   b or left: back   q: quit")
-        key = read_key()
-        if key in ("q", "Q", "\x1b", "\x04", ""):
-            return
-        at = (at + (-1 if key in ("b", "p", "\x1b[D", "\x1bOD") else 1)) % len(phases)
+    with keys() as next_key:
+        while True:
+            console().clear()
+            show_phase(answer, phases[at])
+            show("", "any key: next   b or left: back   q: quit")
+            key = next_key()
+            if key in ("q", "Q", "\x1b", "\x04", ""):
+                return
+            at = (at + (-1 if key in ("b", "p", "\x1b[D", "\x1bOD") else 1)) % len(phases)

@@ -2,12 +2,17 @@
 
 import os
 import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 
 from kinlab.errors import UsageError
 
 
-def read_key() -> str:
-    """The next key as its characters ("\\x1b[C" for an arrow), empty at the end of input. Ctrl-C interrupts.
+@contextmanager
+def keys() -> Iterator[Callable[[], str]]:
+    """A function that waits for the next key and gives its characters ("\\x1b[C" for an arrow), empty at the end.
+
+    Keys come at once and unseen until the context ends; Ctrl-C interrupts, as ever.
 
     Raises:
         UsageError: standard input is no terminal.
@@ -17,18 +22,22 @@ def read_key() -> str:
     if sys.platform == "win32":
         import msvcrt
 
-        key = msvcrt.getwch()
-        if key == "\x03":
-            raise KeyboardInterrupt
-        return key
+        def read_windows() -> str:
+            key = msvcrt.getwch()
+            if key == "\x03":
+                raise KeyboardInterrupt
+            return key
+
+        yield read_windows
+        return
     import termios
     import tty
 
     handle = sys.stdin.fileno()
     before = termios.tcgetattr(handle)
     try:
-        # Keys at once and unseen; Ctrl-C still is one.
-        tty.setcbreak(handle)
-        return os.read(handle, 8).decode(errors="replace")
+        # What was typed ahead is kept.
+        tty.setcbreak(handle, termios.TCSADRAIN)
+        yield lambda: os.read(handle, 8).decode(errors="replace")
     finally:
         termios.tcsetattr(handle, termios.TCSADRAIN, before)

@@ -197,7 +197,14 @@ def theory(walk: Walk) -> float | None:
     pitches = [a - b for a, b in pairwise(rows)]
     pitch = pitches[0]
     even = max(pitches) - min(pitches) < 1e-9 and abs(sum(rows)) < 1e-9
-    if not even or walk.turn or walk.velocity[1] or walk.stroke > pitch or robot.centre[0] or any(walk.rpy):
+    if (
+        not even
+        or walk.turn
+        or walk.velocity[1]
+        or walk.stroke > pitch * (1 + 1e-9)
+        or robot.centre[0]
+        or any(walk.rpy)
+    ):
         return None
     names = [robot.legs[i].name for pair in zip(left, right, strict=True) for i in pair]
     start = gait.touchdown[names[0]]
