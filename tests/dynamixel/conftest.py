@@ -6,10 +6,12 @@ import sys
 import time
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from kinlab.dynamixel import Bus, Chain, MemoryPort, SimulatedClock
+from kinlab.dynamixel.servo import Servo, Supply, build_servos
 
 HERE = Path(__file__).parent
 
@@ -50,6 +52,33 @@ def bus_of() -> Callable[..., Bus]:
         return Bus(MemoryPort(Chain.of(modules, baud), SimulatedClock(), baud))
 
     return make
+
+
+class Probe:
+    """A servo, and hands to set and read its registers and to let time pass."""
+
+    def __init__(self, servo: Servo) -> None:
+        self._servo = servo
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._servo, name)
+
+    def put(self, name: str, value: int) -> int:
+        register = self.table.find(name)
+        return self.write(register.address, register.encode(value))
+
+    def get(self, name: str) -> int:
+        self.measure()
+        return self.memory[name]
+
+    def wait(self, seconds: float) -> None:
+        self.advance(self.time + seconds)
+
+
+@pytest.fixture
+def probes() -> Callable[..., list[Probe]]:
+    """Makes the servos of a module."""
+    return lambda model, ids: [Probe(s) for s in build_servos(model, ids, 1_000_000, Supply())]
 
 
 def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:

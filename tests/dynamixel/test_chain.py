@@ -347,6 +347,13 @@ class TestEeprom:
     def test_a_file_that_is_not_there_changes_nothing(self, tmp_path, ax):
         load_eeprom(ax, tmp_path / "none.json")
 
+    def test_values_that_cannot_be_are_refused(self, tmp_path, x):
+        path = tmp_path / "wrong.json"
+        save_eeprom(x, path)
+        path.write_text(path.read_text().replace('"baud_rate": 3', '"baud_rate": 99', 1))
+        with pytest.raises(FileError, match="baud_rate cannot be 99"):
+            load_eeprom(x, path)
+
     @pytest.mark.parametrize(
         "text", ["", "[]", '{"servos": 3}', '{"servos": [{"model": "RX-24F", "eeprom": {}}]}']
     )

@@ -2,133 +2,117 @@
 
 import pytest
 
-from kinlab.dynamixel.servo import Supply, build_servos
-
 FAIL, INSTRUCTION, RANGE, LENGTH, LIMIT, ACCESS = 1, 2, 4, 5, 6, 7
 
 
 @pytest.fixture
-def servo():
-    return build_servos("XL430-W250", [1], 1_000_000, Supply())[0]
+def servo(probes):
+    return probes("XL430-W250", [1])[0]
 
 
 @pytest.fixture
-def axes():
-    return build_servos("2XL430-W250", [1, 2], 1_000_000, Supply())
-
-
-def put(servo, name, value):
-    register = servo.table.find(name)
-    return servo.write(register.address, register.encode(value))
-
-
-def get(servo, name):
-    servo.measure()
-    return servo.memory[name]
-
-
-def wait(servo, seconds):
-    servo.advance(servo.time + seconds)
+def axes(probes):
+    return probes("2XL430-W250", [1, 2])
 
 
 def mode(servo, number):
-    put(servo, "torque_enable", 0)
-    assert put(servo, "operating_mode", number) == 0
-    assert put(servo, "torque_enable", 1) == 0
+    servo.put("torque_enable", 0)
+    assert servo.put("operating_mode", number) == 0
+    assert servo.put("torque_enable", 1) == 0
 
 
 class TestMotion:
     def test_position_mode_goes_to_the_goal(self, servo):
-        put(servo, "torque_enable", 1)
-        assert put(servo, "goal_position", 3000) == 0
-        wait(servo, 2)
-        assert get(servo, "present_position") == pytest.approx(3000, abs=8)
-        assert get(servo, "moving") == 0
-        assert get(servo, "moving_status") & 1
+        servo.put("torque_enable", 1)
+        assert servo.put("goal_position", 3000) == 0
+        servo.wait(2)
+        assert servo.get("present_position") == pytest.approx(3000, abs=8)
+        assert servo.get("moving") == 0
+        assert servo.get("moving_status") & 1
 
     def test_the_profile_sets_velocity_and_acceleration(self, servo):
-        put(servo, "torque_enable", 1)
-        put(servo, "profile_velocity", 50)  # 11.45 rpm are 782 ticks a second
-        put(servo, "profile_acceleration", 10)  # 2146 rev/min2: full speed after 0.32 s
-        put(servo, "goal_position", 4000)
-        wait(servo, 0.16)
-        assert get(servo, "velocity_trajectory") == pytest.approx(25, abs=1)
-        wait(servo, 0.84)
-        assert get(servo, "velocity_trajectory") == 50
-        assert get(servo, "present_velocity") == pytest.approx(50, abs=2)
-        assert get(servo, "moving_status") >> 4 == 3
-        assert get(servo, "moving_status") & 2
+        servo.put("torque_enable", 1)
+        servo.put("profile_velocity", 50)  # 11.45 rpm are 782 ticks a second
+        servo.put("profile_acceleration", 10)  # 2146 rev/min2: full speed after 0.32 s
+        servo.put("goal_position", 4000)
+        servo.wait(0.16)
+        assert servo.get("velocity_trajectory") == pytest.approx(25, abs=1)
+        servo.wait(0.84)
+        assert servo.get("velocity_trajectory") == 50
+        assert servo.get("present_velocity") == pytest.approx(50, abs=2)
+        assert servo.get("moving_status") >> 4 == 3
+        assert servo.get("moving_status") & 2
         # The ramps cost half their time in distance.
-        assert get(servo, "position_trajectory") == pytest.approx(2048 + 782 * (1 - 0.16), rel=0.01)
-        wait(servo, 3)
-        assert get(servo, "position_trajectory") == 4000
-        assert get(servo, "velocity_trajectory") == 0
+        assert servo.get("position_trajectory") == pytest.approx(2048 + 782 * (1 - 0.16), rel=0.01)
+        servo.wait(3)
+        assert servo.get("position_trajectory") == 4000
+        assert servo.get("velocity_trajectory") == 0
 
     def test_a_time_based_profile_takes_its_time(self, servo):
-        put(servo, "drive_mode", 4)
-        put(servo, "torque_enable", 1)
-        put(servo, "profile_velocity", 2000)
-        put(servo, "profile_acceleration", 500)
-        put(servo, "goal_position", 3048)
-        wait(servo, 1.0)
-        assert get(servo, "position_trajectory") == pytest.approx(2548, abs=15)
-        wait(servo, 1.1)
-        assert get(servo, "position_trajectory") == 3048
+        servo.put("drive_mode", 4)
+        servo.put("torque_enable", 1)
+        servo.put("profile_velocity", 2000)
+        servo.put("profile_acceleration", 500)
+        servo.put("goal_position", 3048)
+        servo.wait(1.0)
+        assert servo.get("position_trajectory") == pytest.approx(2548, abs=15)
+        servo.wait(1.1)
+        assert servo.get("position_trajectory") == 3048
 
     def test_velocity_mode_turns_at_a_speed_for_ever(self, servo):
         mode(servo, 1)
-        put(servo, "goal_velocity", -100)
-        wait(servo, 2)
-        assert get(servo, "present_velocity") == pytest.approx(-100, abs=2)
-        wait(servo, 60)
-        assert get(servo, "present_position") < -4096
+        servo.put("goal_velocity", -100)
+        servo.wait(2)
+        assert servo.get("present_velocity") == pytest.approx(-100, abs=2)
+        servo.wait(60)
+        assert servo.get("present_position") < -4096
 
     def test_pwm_mode_drives_as_told(self, servo):
         mode(servo, 16)
-        put(servo, "goal_pwm", 442)
-        wait(servo, 1)
-        assert get(servo, "present_pwm") == 442
-        assert 100 < get(servo, "present_velocity") < 140
+        servo.put("goal_pwm", 442)
+        servo.wait(1)
+        assert servo.get("present_pwm") == 442
+        assert 100 < servo.get("present_velocity") < 140
 
     def test_extended_mode_counts_turns_and_a_reboot_forgets_them(self, servo):
         mode(servo, 4)
-        assert put(servo, "goal_position", 20000) == 0
-        wait(servo, 8)
-        assert get(servo, "present_position") == pytest.approx(20000, abs=8)
+        assert servo.put("goal_position", 20000) == 0
+        servo.wait(8)
+        assert servo.get("present_position") == pytest.approx(20000, abs=8)
         servo.power_cycle()
-        assert 0 <= get(servo, "present_position") < 4096
+        assert 0 <= servo.get("present_position") < 4096
 
     def test_goal_pwm_limits_every_mode(self, servo):
-        put(servo, "torque_enable", 1)
-        put(servo, "goal_pwm", 100)
-        put(servo, "goal_position", 4000)
-        wait(servo, 0.3)
-        assert get(servo, "present_pwm") == 100
+        servo.put("torque_enable", 1)
+        servo.put("goal_pwm", 100)
+        servo.put("goal_position", 4000)
+        servo.wait(0.3)
+        assert servo.get("present_pwm") == 100
 
     def test_reverse_mode_mirrors_the_position(self, servo):
-        put(servo, "drive_mode", 1)
-        put(servo, "torque_enable", 1)
+        servo.put("drive_mode", 1)
+        servo.put("torque_enable", 1)
         angle = servo.plant.angle
-        put(servo, "goal_position", 3000)
-        wait(servo, 2)
+        servo.put("goal_position", 3000)
+        servo.wait(2)
         assert servo.plant.angle < angle
-        assert get(servo, "present_position") == pytest.approx(3000, abs=8)
+        assert servo.get("present_position") == pytest.approx(3000, abs=8)
 
     def test_a_homing_offset_moves_the_zero(self, servo):
-        before = get(servo, "present_position")
-        put(servo, "homing_offset", 100)
-        assert get(servo, "present_position") == before + 100
+        before = servo.get("present_position")
+        servo.put("homing_offset", 100)
+        assert servo.get("present_position") == before + 100
 
     def test_torque_on_holds_where_it_is(self, servo):
-        put(servo, "torque_enable", 1)
-        wait(servo, 1)
-        assert get(servo, "present_position") == 2048
+        servo.put("torque_enable", 1)
+        servo.wait(1)
+        assert servo.get("present_position") == 2048
         assert servo.memory["goal_position"] == 2048
 
     def test_changing_the_mode_resets_gains_and_profile(self, servo):
-        put(servo, "position_p_gain", 100)
-        put(servo, "profile_velocity", 100)
-        put(servo, "operating_mode", 1)
+        servo.put("position_p_gain", 100)
+        servo.put("profile_velocity", 100)
+        servo.put("operating_mode", 1)
         assert servo.memory["position_p_gain"] == 640
         assert servo.memory["profile_velocity"] == 0
 
@@ -149,7 +133,7 @@ class TestRules:
         ],
     )
     def test_wrong_values_bring_their_error(self, servo, name, value, error):
-        assert put(servo, name, value) == error
+        assert servo.put(name, value) == error
 
     def test_part_of_a_register_is_too_short(self, servo):
         assert servo.write(116, b"\0\0") == LENGTH
@@ -163,10 +147,10 @@ class TestRules:
         assert servo.memory["profile_velocity"] == 0
 
     def test_the_eeprom_is_shut_while_torque_is_on(self, servo):
-        put(servo, "torque_enable", 1)
-        assert put(servo, "id", 5) == ACCESS
-        put(servo, "torque_enable", 0)
-        assert put(servo, "id", 5) == 0
+        servo.put("torque_enable", 1)
+        assert servo.put("id", 5) == ACCESS
+        servo.put("torque_enable", 0)
+        assert servo.put("id", 5) == 0
 
     def test_undocumented_addresses_can_be_read_but_not_written(self, servo):
         assert servo.read(14, 2) == (0, b"\0\0")
@@ -177,21 +161,21 @@ class TestRules:
 class TestIndirect:
     def test_scattered_registers_are_read_in_one_block(self, servo):
         for n, address in enumerate((132, 133, 134, 135, 146), 1):
-            assert put(servo, f"indirect_address_{n}", address) == 0
+            assert servo.put(f"indirect_address_{n}", address) == 0
         error, data = servo.read(224, 5)
         assert error == 0
         assert data == bytes([0, 8, 0, 0, 25])
 
     def test_and_written(self, servo):
         for n in range(4):
-            put(servo, f"indirect_address_{n + 1}", 116 + n)
+            servo.put(f"indirect_address_{n + 1}", 116 + n)
         assert servo.write(224, (2500).to_bytes(4, "little")) == 0
         assert servo.memory["goal_position"] == 2500
 
     def test_the_target_decides_what_may_be_written(self, servo):
-        put(servo, "indirect_address_1", 146)
+        servo.put("indirect_address_1", 146)
         assert servo.write(224, b"\5") == ACCESS
-        put(servo, "indirect_address_1", 116)
+        servo.put("indirect_address_1", 116)
         assert servo.write(224, b"\5") == LENGTH
 
     def test_as_delivered_it_is_plain_memory(self, servo):
@@ -201,10 +185,10 @@ class TestIndirect:
 
 class TestAlarms:
     def stall(self, servo):
-        put(servo, "torque_enable", 1)
+        servo.put("torque_enable", 1)
         servo.plant.held = True
-        put(servo, "goal_position", 4000)
-        wait(servo, 5)
+        servo.put("goal_position", 4000)
+        servo.wait(5)
 
     def test_only_a_reboot_brings_torque_back(self, servo):
         self.stall(servo)
@@ -212,54 +196,54 @@ class TestAlarms:
         assert servo.memory["torque_enable"] == 0
         assert servo.error_byte(0) == 0x80
         servo.plant.held = False
-        assert put(servo, "torque_enable", 1) == FAIL
+        assert servo.put("torque_enable", 1) == FAIL
         servo.power_cycle()
-        assert put(servo, "torque_enable", 1) == 0
+        assert servo.put("torque_enable", 1) == 0
         assert servo.error_byte(0) == 0
 
     def test_bad_voltage_alerts_but_does_not_shut_down_by_default(self, servo):
-        put(servo, "torque_enable", 1)
+        servo.put("torque_enable", 1)
         servo.supply.volts = 5.5
-        wait(servo, 0.1)
+        servo.wait(0.1)
         assert servo.memory["hardware_error_status"] == 1
         assert servo.memory["torque_enable"] == 1
 
     def test_the_watchdog_stops_the_motor_and_refuses_goals(self, servo):
         mode(servo, 1)
-        put(servo, "bus_watchdog", 10)
-        put(servo, "goal_velocity", 100)
+        servo.put("bus_watchdog", 10)
+        servo.put("goal_velocity", 100)
         servo.heard()
-        wait(servo, 0.19)
-        assert get(servo, "present_velocity") > 50
-        wait(servo, 1)
+        servo.wait(0.19)
+        assert servo.get("present_velocity") > 50
+        servo.wait(1)
         assert servo.memory["bus_watchdog"] == 255
-        assert get(servo, "present_velocity") == 0
-        assert put(servo, "goal_velocity", 50) == RANGE
-        put(servo, "bus_watchdog", 0)
-        assert put(servo, "goal_velocity", 50) == 0
+        assert servo.get("present_velocity") == 0
+        assert servo.put("goal_velocity", 50) == RANGE
+        servo.put("bus_watchdog", 0)
+        assert servo.put("goal_velocity", 50) == 0
 
 
 class TestTwoAxes:
     def test_their_ids_must_differ(self, axes):
-        assert put(axes[1], "id", 1) == LIMIT
-        assert put(axes[1], "id", 9) == 0
+        assert axes[1].put("id", 1) == LIMIT
+        assert axes[1].put("id", 9) == 0
 
     def test_baud_rate_and_protocol_are_shared(self, axes):
-        put(axes[0], "baud_rate", 4)
+        axes[0].put("baud_rate", 4)
         assert axes[1].baud == 2_000_000
-        put(axes[1], "protocol_type", 1)
+        axes[1].put("protocol_type", 1)
         assert axes[0].protocol == 1
 
     def test_one_axis_with_torque_shuts_the_eeprom_of_both(self, axes):
-        put(axes[0], "torque_enable", 1)
-        assert put(axes[1], "homing_offset", 5) == ACCESS
+        axes[0].put("torque_enable", 1)
+        assert axes[1].put("homing_offset", 5) == ACCESS
 
     def test_they_move_apart(self, axes):
         for axis, goal in zip(axes, (1000, 3000), strict=True):
-            put(axis, "torque_enable", 1)
-            put(axis, "goal_position", goal)
-            wait(axis, 2)
-        assert [get(axis, "present_position") for axis in axes] == [
+            axis.put("torque_enable", 1)
+            axis.put("goal_position", goal)
+            axis.wait(2)
+        assert [axis.get("present_position") for axis in axes] == [
             pytest.approx(1000, abs=8),
             pytest.approx(3000, abs=8),
         ]

@@ -86,8 +86,10 @@ def emulate(
     listener = TcpListener(tcp) if tcp else None
     links = []
     if pty or not listener:
-        from kinlab.dynamixel.serving.pty import PtyLink
-
+        try:
+            from kinlab.dynamixel.serving.pty import PtyLink
+        except ImportError:
+            raise UsageError("this system has no ptys; serve TCP: --tcp 5000") from None
         links.append(PtyLink(pty or Path("ttyDXL"), baud))
     server = Server(
         chain,

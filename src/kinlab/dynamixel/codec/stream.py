@@ -15,7 +15,6 @@ class StreamParser:
 
     def __init__(self, protocol: int) -> None:
         self.protocol = protocol
-        self.discarded = 0
         self._buffer = b""
         self._scan = self._scan_1 if protocol == 1 else self._scan_2
 
@@ -36,7 +35,6 @@ class StreamParser:
         """Give up the unfinished packet, as a servo does after a pause; the packets found inside it."""
         frames: list[bytes] = []
         while self._buffer:
-            self.discarded += 1
             self._buffer = self._buffer[1:]
             kept = self._scan(frames)
             self._buffer = self._buffer[kept:]
@@ -49,13 +47,10 @@ class StreamParser:
             start = buffer.find(b"\xff\xff", at)
             if start < 0:
                 start = end - 1 if buffer.endswith(b"\xff") else end
-                start = max(start, at)
-                self.discarded += start - at
-                return start
+                return max(start, at)
             # FF where the ID should be is one more header byte.
             while start + 2 < end and buffer[start + 2] == 0xFF:
                 start += 1
-            self.discarded += start - at
             at = start
             if at + 4 > end:
                 return at
@@ -69,7 +64,6 @@ class StreamParser:
                     at = stop
                     continue
             at += 1
-            self.discarded += 1
 
     def _scan_2(self, frames: list[bytes]) -> int:
         """Append the whole packets of the buffer; how many of its bytes are done with."""
@@ -82,9 +76,7 @@ class StreamParser:
                     start = max(at, end - 3)
                     while start < end and not header.startswith(buffer[start:]):
                         start += 1
-                    self.discarded += start - at
                     return start
-                self.discarded += start - at
                 at = start
             if at + 7 > end:
                 return at
@@ -98,4 +90,3 @@ class StreamParser:
                     at = stop
                     continue
             at += 1
-            self.discarded += 1

@@ -1,10 +1,8 @@
 """Packets as lines to read: bytes, fields, what is wrong, what is odd."""
 
-from kinlab.dynamixel.codec.dissect import dissect
 from kinlab.dynamixel.codec.dissection import Dissection, Tables
 from kinlab.dynamixel.codec.hextext import show_hex
 from kinlab.dynamixel.codec.lint import warnings
-from kinlab.dynamixel.codec.packets import Packet
 from kinlab.dynamixel.sandbox.session import Line, Span
 from kinlab.dynamixel.tables import ControlTable, Register
 
@@ -94,10 +92,3 @@ def table_lines(table: ControlTable, registers: list[Register]) -> list[Line]:
             ]
         )
     return lines
-
-
-def dissection_of(
-    data: bytes, tables: Tables, request: Packet | None = None, protocol: int | None = None
-) -> Dissection:
-    """An answer to `request`, or (None) an instruction, taken apart."""
-    return dissect(data, protocol=protocol, status=True if request else None, tables=tables, request=request)

@@ -1,8 +1,8 @@
 """The loop that lets clients talk to a chain: it sleeps until somebody does."""
 
 import heapq
-import os
 import select
+import socket
 from collections.abc import Callable, Iterable
 from itertools import count
 
@@ -41,7 +41,8 @@ class Server:
         self._after_change = after_change
         self._due: list[tuple[float, int, Link, bytes]] = []
         self._order = count()
-        self._waker, self._wake = os.pipe()
+        # A pair of sockets, for pipes cannot be waited on everywhere.
+        self._waker, self._wake = socket.socketpair()
         self._stopped = False
 
     def run(self) -> None:
@@ -55,10 +56,10 @@ class Server:
     def stop(self) -> None:
         """End `run` from another thread, or from a signal handler."""
         self._stopped = True
-        os.write(self._wake, b"x")
+        self._wake.send(b"x")
 
     def _turn(self) -> None:
-        sources: list[Link | TcpListener | int] = [*self._receivers, self._waker]
+        sources: list[Link | TcpListener | socket.socket] = [*self._receivers, self._waker]
         if self._listener and len(self._receivers) <= MOST_CLIENTS:
             sources.append(self._listener)
         for source in select.select(sources, [], [], self._patience())[0]:
@@ -66,7 +67,7 @@ class Server:
                 client = self._listener.accept()
                 if client:
                     self._receivers[client] = Receiver(self.chain)
-            elif not isinstance(source, int | TcpListener):
+            elif not isinstance(source, socket.socket | TcpListener):
                 self._serve(source)
         now = self.clock.now()
         while self._due and self._due[0][0] <= now:
@@ -112,5 +113,5 @@ class Server:
             link.close()
         if self._listener:
             self._listener.close()
-        os.close(self._waker)
-        os.close(self._wake)
+        self._waker.close()
+        self._wake.close()

@@ -10,12 +10,11 @@ from kinlab.dynamixel.servo.health import Health
 from kinlab.dynamixel.servo.memory import Memory
 from kinlab.dynamixel.servo.motor import GearMotor, Plant
 from kinlab.dynamixel.tables import ControlTable, Register
+from kinlab.errors import UsageError
 
 LONGEST_STEP = 0.005  # s; control period of the position loop at most
-STRAINED_STEP, IDLE_STEP = (
-    0.1,
-    10.0,
-)  # s; where nothing changes but the temperature, and (strained) not for long
+# Where nothing changes but the temperature; and where that lasts only until an overload is one.
+IDLE_STEP, STRAINED_STEP = 10.0, 0.1  # s
 
 
 @dataclass
@@ -164,8 +163,16 @@ class Servo(ABC):
         self._asleep_until = self.time + seconds
 
     def restore(self, eeprom: dict[str, int]) -> None:
-        """Take over what an earlier life stored."""
+        """Take over what an earlier life stored.
+
+        Raises:
+            UsageError: a value that its register cannot hold.
+            KeyError: a register that there is not.
+        """
         for name, value in eeprom.items():
+            low, high = self.memory.limits(self.table.by_name[name])
+            if not (low is None or low <= value) or not (high is None or value <= high):
+                raise UsageError(f"{name} cannot be {value}")
             self.memory[name] = value
         self.power_cycle()
 

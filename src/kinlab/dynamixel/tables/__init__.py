@@ -130,7 +130,6 @@ class ControlTable:
     stall_nm: float
     stall_a: float
     rated_v: float
-    standby_a: float
     gear_ratio: float
     step_deg: float
     lowest_v: float
@@ -224,7 +223,6 @@ def _load(model: str) -> ControlTable:
                 "stall_nm",
                 "stall_a",
                 "rated_v",
-                "standby_a",
                 "gear_ratio",
                 "step_deg",
                 "lowest_v",
