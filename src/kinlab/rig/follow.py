@@ -39,9 +39,7 @@ class Sample:
     alarms: Mapping[int, list[str]]
 
 
-def follow(
-    rig: Rig, path: Path, rate: float, tempo: Callable[[], float] = lambda: 1.0
-) -> Iterator[Sample]:
+def follow(rig: Rig, path: Path, rate: float, tempo: Callable[[], float] = lambda: 1.0) -> Iterator[Sample]:
     """Go along `path`, from its first frame on, where the joints must be already.
 
     A bus too slow for `rate` loses ticks, and never time: every command is the one for its moment.
@@ -73,9 +71,7 @@ def follow(
             planned = path.angles(way + speed * (reading.at - now))
             watts = np.where(reading.missing, watts, reading.volts * reading.amps)
             joules += float(watts.sum()) * dt
-            yield Sample(
-                now - start, way, speed, planned, reading, watts, joules, dict(rig.bus.alarms)
-            )
+            yield Sample(now - start, way, speed, planned, reading, watts, joules, dict(rig.bus.alarms))
             if way >= path.end:
                 return
             tick = max(tick + 1, math.ceil((clock.now() - start) * rate - 1e-9))

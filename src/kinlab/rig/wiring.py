@@ -72,8 +72,8 @@ class Wiring:
 
     @cached_property
     def standby_amps(self) -> Array:
-        """What each servo draws without torque (J,), A."""
-        return np.array([table.standby_a for table in self.tables])
+        """What each servo draws without torque (J,), A; 0 where nobody gives it."""
+        return np.array([servo.model.standby or 0.0 for servo in self.servos])
 
     @cached_property
     def stall_torque(self) -> Array:
@@ -105,7 +105,9 @@ class Wiring:
         for servo, table, names in zip(self.servos, self.tables, self.registers, strict=True):
             _, velocity, load, volts = (table.by_name[name].scale for name in names)
             turn = servo.sign * np.pi / 180
-            found.append((turn * servo.model.deg_per_step, turn * 6 * velocity, servo.sign * load / 100, volts))
+            found.append(
+                (turn * servo.model.deg_per_step, turn * 6 * velocity, servo.sign * load / 100, volts)
+            )
         return np.array(found)
 
     @cached_property

@@ -12,6 +12,7 @@ from kinlab.robots.model import Joint, Limb, Robot
 from kinlab.robots.provenance import KINDS, UNSOURCED, Dimension, Provenance
 from kinlab.robots.schema import (
     Area,
+    Current,
     Group,
     JointSpec,
     Length,
@@ -58,9 +59,19 @@ def build_servo_model(name: str, spec: ServoModelSpec) -> ServoModel:
         if getattr(spec, key) <= 0:
             raise SpecError((key,), f"expected a positive number, got {getattr(spec, key):g}")
     speed = spec.speed_rpm * 2 * np.pi / 60
-    return ServoModel(
+    model = ServoModel(
         name, spec.protocol, low, high, spec.deg_per_step, spec.torque_nm, speed, provenance(spec, ())
     )
+    if spec.standby is None:
+        return model
+    place = ("standby",)
+    if isinstance(spec.standby, Current):
+        standby, source = spec.standby.ma, provenance(spec.standby, place)
+    else:
+        standby, source = spec.standby, UNSOURCED
+    if standby < 0:
+        raise SpecError(place, f"expected a current in mA, not below 0, got {standby:g}")
+    return replace(model, standby=standby / 1000, standby_source=source)
 
 
 def build_robot(name: str, spec: RobotSpec, models: dict[str, ServoModel]) -> Robot:

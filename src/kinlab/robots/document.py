@@ -25,6 +25,8 @@ T = TypeVar("T")
 _EXPECTED = {
     "mm": "a length in mm",
     "g": "a mass in g",
+    "ma": "a current in mA",
+    "standby": "a current in mA",
     "deg": "an angle in deg",
     "zero": "an angle in deg",
     "turn": "an angle in deg",
@@ -215,7 +217,7 @@ _STRUCTS = {
     "at": schema.Point, "body": schema.Length, "centre": schema.Point, "joints": schema.JointSpec,
     "lengths": schema.Length, "limits": schema.Range, "mass": schema.Mass, "masses": schema.Mass,
     "members": schema.Member, "mountings": schema.Mounting, "paper_axes": schema.PaperAxes,
-    "sole": schema.Area, "stance": schema.Point,
+    "sole": schema.Area, "stance": schema.Point, "standby": schema.Current,
 }  # fmt: skip
 
 

@@ -43,12 +43,17 @@ class PaperAxes(Sourced):
     z: Axis
 
 
+class Current(Sourced):
+    ma: float
+
+
 class ServoModelSpec(Sourced):
     protocol: Protocol
     positions: tuple[int, int]
     deg_per_step: float
     torque_nm: float
     speed_rpm: float
+    standby: Current | float | None = None
 
 
 class Mounting(Sourced):
