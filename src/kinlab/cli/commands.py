@@ -17,6 +17,7 @@ COMMANDS = {
     "body": "every leg's joints for a pose of the body over fixed feet",
     "workspace": "how far a limb reaches, and where it cannot",
     "gait": "a gait phase by phase: which legs swing, which carry, how safely, how fast at most",
+    "walk": "the gait on the servos: joint speeds, loads, tracking error, energy; sweeps and comparisons",
     "packet": "Dynamixel packets byte by byte, at a prompt, on an emulated chain or a real bus",
     "emulate": "an emulated servo chain for other programs, on a pty or TCP",
     "bus": "scan, read, write and monitor the servos on a port",

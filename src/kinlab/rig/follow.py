@@ -12,6 +12,7 @@ from kinlab.rig.path import Path
 from kinlab.rig.rig import Reading, Rig
 
 SETTLING = 1.0  # s that the servos have to take up the weight before anything is measured
+SECONDS = 3600.0
 NIMBLE = 1.0  # how fast the tempo may change, in times the path's own per s
 
 
@@ -37,6 +38,27 @@ class Sample:
     watts: Array
     joules: float
     alarms: Mapping[int, list[str]]
+
+    @property
+    def voltage(self) -> float:
+        """Mean of the servos that answered, V; NaN where none did."""
+        known = self.reading.volts[~self.reading.missing]
+        return float(known.mean()) if known.size else np.nan
+
+    @property
+    def current(self) -> float:
+        """Of all servos that answered, A."""
+        return float(np.nansum(self.reading.amps))
+
+    @property
+    def power(self) -> float:
+        """Of all servos, W."""
+        return float(self.watts.sum())
+
+    @property
+    def energy(self) -> float:
+        """Since the first tick, Wh."""
+        return self.joules / SECONDS
 
 
 def follow(rig: Rig, path: Path, rate: float, tempo: Callable[[], float] = lambda: 1.0) -> Iterator[Sample]:

@@ -98,9 +98,14 @@ class Record:
         return np.stack(off, axis=-1)
 
     @cached_property
+    def missing(self) -> Array:
+        """Which servos did not answer (F, J)."""
+        return np.isnan(self.q)
+
+    @cached_property
     def lost(self) -> dict[int, int]:
         """By servo, how often it did not answer; absent if never."""
-        counts = np.isnan(self.q).sum(axis=0).tolist()
+        counts = self.missing.sum(axis=0).tolist()
         return {number: count for number, count in zip(self.wiring.ids, counts, strict=True) if count}
 
     @cached_property
