@@ -112,13 +112,7 @@ def walk(
         return
     result = _one(prepare(order), port, baud, live)
     if csv:
-        _save(
-            csv,
-            [
-                dict(zip(result.series(), row, strict=True))
-                for row in zip(*result.series().values(), strict=True)
-            ],
-        )
+        _save(csv, result.series())
     if json:
         print_json(result.to_json())
     else:
@@ -188,7 +182,7 @@ def _compared(
 
     from kinlab.errors import UsageError
     from kinlab.papers.comparison import compare
-    from kinlab.rig import check_steady, span, sweep
+    from kinlab.rig import check_steady, costs, span, sweep
 
     if order.gait == other:
         raise UsageError(f"--compare takes two gaits, got {other.name} twice")
@@ -202,8 +196,7 @@ def _compared(
     _save_rows(csv, results)
     half = len(speeds)
     energy = {
-        gait.name: [result.per_metre for result in part]
-        for gait, part in ((order.gait, results[:half]), (other, results[half:]))
+        gait.name: costs(part) for gait, part in ((order.gait, results[:half]), (other, results[half:]))
     }
     return compare(order.robot, [speed / 1000 for speed in speeds], energy)
 

@@ -42,21 +42,19 @@ def _energy(data: dict[str, Any]) -> Any:
     found.show_header = False
     energy = data["energy"]
     found.add_row("energy", f"{energy['wh']:.4f} Wh", f"mean {energy['mean_power_w']:.2f} W")
-    found.add_row("idle share", f"{energy['idle_wh']:.4f} Wh", "standby currents alone, without torque")
+    found.add_row("idle share", f"{energy['idle_wh']:.4f} Wh", "standby currents alone")
     if energy["wh_per_m"] is not None:
         found.add_row(
             "steady",
             f"{energy['wh_per_m']:.4f} Wh/m",
-            f"{energy['steady_power_w']:.2f} W in whole cycles at full speed",
+            f"{energy['steady_power_w']:.2f} W in whole cycles",
         )
     found.add_row("voltage", _amount(energy["mean_voltage_v"], "V"), "mean, as the servos report it")
     found.add_row(
         "current", _amount(energy["mean_current_a"], "A"), f"peak {_amount(energy['peak_current_a'], 'A')}"
     )
     found.add_row(
-        "if the supply gave all of the motors' current",
-        f"{energy['motor_current_wh']:.4f} Wh",
-        "an upper bound",
+        "upper bound", f"{energy['motor_current_wh']:.4f} Wh", "did the supply give all the motors' current"
     )
     return found
 
@@ -74,19 +72,26 @@ def _tracking(data: dict[str, Any]) -> Any:
 
 def _joints(data: dict[str, Any]) -> Any:
     found = table(
-        "joints, each kind by its hardest worked leg",
-        "joint", "servo", ("planned", "deg/s"), ("measured", "deg/s"), ("limit", "deg/s"), ("used", "%"),
-        ("mean load", "%"), ("peak load", "%"), ("torque", "N m"),
-    )  # fmt: skip
+        "joints, each kind by the leg that works hardest",
+        "joint",
+        ("speed", "deg/s"),
+        ("limit", "deg/s"),
+        ("used", "%"),
+        ("load", "%"),
+        ("torque", "N m"),
+    )
     for name in dict.fromkeys(joint["joint"] for joint in data["joints"]):
         same = [joint for joint in data["joints"] if joint["joint"] == name]
         fast = max(same, key=lambda joint: joint["used"])
         hard = max(same, key=lambda joint: joint["peak_load"] or 0.0)
         found.add_row(
-            name, fast["model"], f"{fast['planned_deg_s']:.0f} ({fast['leg']})", _plain(fast["measured_deg_s"], 0),
-            f"{fast['limit_deg_s']:.0f}", f"{fast['used'] * 100:.0f}", _share(hard["mean_load"]),
-            f"{_share(hard['peak_load'])} ({hard['leg']})", _plain(hard["peak_torque_nm"]),
-        )  # fmt: skip
+            name,
+            f"{fast['leg']} {fast['planned_deg_s']:.0f}",
+            f"{fast['limit_deg_s']:.0f}",
+            f"{fast['used'] * 100:.0f}",
+            f"{hard['leg']} {_share(hard['peak_load'])}",
+            _plain(hard["peak_torque_nm"]),
+        )
     return found
 
 
@@ -104,17 +109,28 @@ def show_sweep(robot: str, results: Sequence[WalkResult]) -> None:
     """One line for each walk."""
     found = table(
         f"{robot}, {results[0].errand.order.gait.name}",
-        ("speed", "mm/s"), ("turn", "deg/s"), ("way", "mm"), ("rate", "Hz"), ("time", "s"), ("energy", "Wh"),
-        ("per metre", "Wh"), ("steady", "W"), ("mean error", "mm"), ("max", "mm"), ("joint speed used", "%"), ("lost", ""),
-    )  # fmt: skip
+        ("speed", "mm/s"),
+        ("turn", "deg/s"),
+        ("way", "mm"),
+        ("rate", "Hz"),
+        ("time", "s"),
+        ("energy", "Wh"),
+        ("steady", "Wh/m"),
+        ("error", "mm"),
+        ("used", "%"),
+        ("lost", ""),
+    )
     for result in results:
         row = result.row()
         found.add_row(
             *(number(row[key] or 0.0) for key in ("speed_mm_s", "turn_deg_s", "distance_mm", "rate_hz")),
-            f"{row['duration_s']:.1f}", _plain(row["wh"], 4), _plain(row["wh_per_m"], 4),
-            _plain(row["steady_power_w"]), _plain(row["mean_error_mm"]), _plain(row["max_error_mm"]),
-            _share(row["joint_speed_used"]), number(row["lost"] or 0),
-        )  # fmt: skip
+            f"{row['duration_s']:.1f}",
+            _plain(row["wh"], 4),
+            _plain(row["wh_per_m"], 4),
+            _plain(row["mean_error_mm"]),
+            _share(row["joint_speed_used"]),
+            number(row["lost"] or 0),
+        )
     show(found, "", sentences(*(("-", note) for note in results[0].notes)))
 
 
@@ -140,13 +156,8 @@ def show_comparison(answer: Comparison) -> None:
 
 
 def _short(answer: Comparison) -> list[str]:
-    return [
-        "rig",
-        *(
-            source.label.split(": measured on ")[-1].replace("ground", "paper")
-            for source in answer.sources[1:]
-        ),
-    ]
+    papers = [source.label.rpartition(" measured on ")[2] for source in answer.sources[1:]]
+    return ["rig", *(name.replace("ground", "paper") for name in papers)]
 
 
 def _show_source(source: Curves) -> None:

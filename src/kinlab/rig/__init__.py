@@ -3,7 +3,7 @@
 from kinlab.rig.follow import Sample, follow
 from kinlab.rig.path import Path, path_of
 from kinlab.rig.record import Record
-from kinlab.rig.result import WalkResult
+from kinlab.rig.result import WalkResult, costs
 from kinlab.rig.rig import Reading, Rig
 from kinlab.rig.walking import Errand, Order, Throttle, check_steady, prepare, span, sweep, walk_on
 
@@ -18,6 +18,7 @@ __all__ = [
     "Throttle",
     "WalkResult",
     "check_steady",
+    "costs",
     "follow",
     "path_of",
     "prepare",

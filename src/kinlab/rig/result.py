@@ -1,11 +1,13 @@
 """A walk that has been walked: what it cost, how far the feet were off, how near the servos were to their limits."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 
+from kinlab.errors import KinlabError
 from kinlab.kinematics.transforms import Array
 from kinlab.rig.follow import SECONDS
 from kinlab.rig.record import Record
@@ -179,21 +181,24 @@ class WalkResult:
             "lost": sum(found["lost"].values()),
         }
 
-    def series(self) -> dict[str, Array]:
-        """Columns (F,) of a walk, tick by tick, by name with their unit."""
+    def series(self) -> list[dict[str, float]]:
+        """The walk tick by tick, each value by its name with its unit."""
         record = self.record
-        unit = ("way_mm", 1000.0) if self.errand.order.speed else ("way_deg", 180 / np.pi)
-        found = {
-            "time_s": record.t,
-            unit[0]: self.covered * unit[1],
-            **{
-                name: np.array([getattr(sample, name.split("_")[0]) for sample in record.samples])
-                for name in ("voltage_v", "current_a", "power_w", "energy_wh")
-            },
-        }
-        for i, limb in enumerate(record.wiring.limbs):
-            found[f"{limb.name}_error_mm"] = record.errors[:, i] * 1000
-        return found
+        name, scale = ("way_mm", 1000.0) if self.errand.order.speed else ("way_deg", 180 / np.pi)
+        ways, errors = self.covered * scale, record.errors * 1000
+        legs = [f"{limb.name}_error_mm" for limb in record.wiring.limbs]
+        return [
+            {
+                "time_s": sample.t,
+                name: way,
+                "voltage_v": sample.voltage,
+                "current_a": sample.current,
+                "power_w": sample.power,
+                "energy_wh": sample.energy,
+                **dict(zip(legs, off, strict=True)),
+            }
+            for sample, way, off in zip(record.samples, ways.tolist(), errors.tolist(), strict=True)
+        ]
 
     def _tracking(self) -> dict[str, Any]:
         errors = self.record.errors * 1000
@@ -229,6 +234,23 @@ class WalkResult:
             }
             for j, ((leg, joint), servo) in enumerate(zip(wiring.joints, wiring.servos, strict=True))
         ]
+
+
+def costs(results: Sequence[WalkResult]) -> list[float]:
+    """Wh per metre of steady walking, walk by walk.
+
+    Raises:
+        KinlabError: a walk has no steady part.
+    """
+    found = []
+    for result in results:
+        if result.per_metre is None:
+            walk = result.errand.walk
+            raise KinlabError(
+                f"{walk.gait.name} at {walk.speed * 1000:g} mm/s has no whole cycle at full speed"
+            )
+        found.append(result.per_metre)
+    return found
 
 
 def _standby_notes(record: Record) -> list[str]:

@@ -69,10 +69,10 @@ def prepare(order: Order) -> Errand:
         KinlabError: beyond the legs or the servos; the joint at its limit and the fastest possible
             speed are named.
     """
-    for name, value in (("distance", order.distance), ("rate", order.rate)):
+    for name, value, unit in (("distance", order.distance * 1000, "mm"), ("rate", order.rate, "Hz")):
         finite(value, f"a walk's {name}")
         if value <= 0:
-            raise UsageError(f"a walk's {name} must be above 0, got {value:g}")
+            raise UsageError(f"a walk's {name} must be above 0, got {value:g} {unit}")
     if order.rate > FASTEST_RATE:
         raise UsageError(f"no bus takes more than {FASTEST_RATE:g} commands a second, got {order.rate:g}")
     forever = plan(order.robot, order.gait, forward=order.speed, turn=order.turn)
