@@ -69,14 +69,21 @@ class Curves:
         }
 
 
-def curves(label: str, speed: ArrayLike, energy: Mapping[str, ArrayLike]) -> Curves:
-    """Curves of two gaits from what they cost per metre (N,), Wh, at speeds (N,), m/s."""
+def curves(
+    label: str, speed: ArrayLike, energy: Mapping[str, ArrayLike], duration: ArrayLike | None = None
+) -> Curves:
+    """Curves of two gaits from what they cost per metre (N,), Wh, at speeds (N,), m/s.
+
+    Args:
+        duration: of a metre (N,), s; default what the speed makes it. The paper prints whole seconds.
+    """
     order = np.argsort(speed)
     v = np.asarray(speed, float)[order]
+    t = 1 / v if duration is None else np.asarray(duration, float)[order]
     costs = {gait: np.asarray(e, float)[order] for gait, e in energy.items()}
     models, fitted = {}, None
     if len(np.unique(v)) >= LEAST_SPEEDS:
-        models = {gait: fit(1 / v, np.ones(len(v)), e) for gait, e in costs.items()}
+        models = {gait: fit(t, np.ones(len(v)), e) for gait, e in costs.items()}
         fitted = crossover(*models.values())
     one, other = costs.values()
     return Curves(label, v, costs, models, fitted, crossings(v, one - other))
@@ -127,5 +134,5 @@ def compare(robot: Robot, speed: ArrayLike, energy: Mapping[str, ArrayLike]) -> 
             ground = measured_energy(name)
             label = f"the paper, Table {ground.energy_table}: measured on {ground.name} ground"
             costs = {gait: ground.energy[gait] / ground.distance for gait in energy}
-            sources.append(curves(label, ground.speed, costs))
+            sources.append(curves(label, ground.speed, costs, ground.duration / ground.distance))
     return Comparison(robot, tuple(sources))

@@ -13,6 +13,7 @@ from kinlab.rig.rig import Reading, Rig
 
 SETTLING = 1.0  # s that the servos have to take up the weight before anything is measured
 SECONDS = 3600.0
+INSTANT = 1e-6  # s; what rounding may leave of a path
 NIMBLE = 1.0  # how fast the tempo may change, in times the path's own per s
 
 
@@ -94,7 +95,7 @@ def follow(rig: Rig, path: Path, rate: float, tempo: Callable[[], float] = lambd
             watts = np.where(reading.missing, watts, reading.volts * reading.amps)
             joules += float(watts.sum()) * dt
             yield Sample(now - start, way, speed, planned, reading, watts, joules, dict(rig.bus.alarms))
-            if way >= path.end:
+            if way > path.end - INSTANT:
                 return
             tick = max(tick + 1, math.ceil((clock.now() - start) * rate - 1e-9))
             clock.wait(start + tick / rate - clock.now())

@@ -9,7 +9,7 @@ import numpy as np
 
 from kinlab.errors import KinlabError
 from kinlab.kinematics.transforms import Array
-from kinlab.rig.follow import SECONDS
+from kinlab.rig.follow import INSTANT, SECONDS
 from kinlab.rig.record import Record
 from kinlab.rig.rig import Rig
 from kinlab.rig.walking import Errand
@@ -64,7 +64,7 @@ class WalkResult:
     @property
     def complete(self) -> bool:
         """Whether it was walked to its end."""
-        return bool(self.record.way[-1] >= self.errand.walk.duration)
+        return bool(self.record.way[-1] > self.errand.walk.duration - INSTANT)
 
     @cached_property
     def covered(self) -> Array:
@@ -91,7 +91,7 @@ class WalkResult:
         begin = pace.begin + pace.ramp
         cycles = int((pace.end - pace.ramp - begin) / walk.period + 1e-9)
         end = begin + cycles * walk.period
-        if cycles < 1 or record.way[-1] < end or np.abs(record.way - record.t).max() > walk.period / 100:
+        if cycles < 1 or record.way[-1] < end or np.abs(record.way - record.t)[:-1].max() > walk.period / 100:
             return None
         joules = np.interp([begin, end], record.way, record.joules)
         return Steady(cycles, float(joules[1] - joules[0]) / (end - begin))

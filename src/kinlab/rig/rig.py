@@ -20,6 +20,8 @@ from kinlab.robots import Limb, Robot
 # A joint goes to where it is wanted no faster than this (rad/s), by a path of this many points a second.
 GENTLE = np.radians(60)
 GENTLE_RATE = 50.0
+# How often a servo that does not confirm is told again that its torque is off.
+OFF_ROUNDS = 3
 
 
 @dataclass(frozen=True, eq=False)
@@ -145,10 +147,11 @@ class Rig:
 
     def release(self) -> None:
         """Switch the torque off: all servos in one packet, then each again until it confirms."""
-        servos = self.wiring.ids
+        servos = self.unconfirmed = self.wiring.ids
         with suppress(PortError):
             self.bus.sync_write("torque_enable", dict.fromkeys(servos, 0))
-            self.unconfirmed = tuple(number for number in servos if not self._off(number))
+            for _ in range(OFF_ROUNDS):
+                self.unconfirmed = tuple(number for number in self.unconfirmed if not self._off(number))
 
     def _off(self, number: int) -> bool:
         try:
