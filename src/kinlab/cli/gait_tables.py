@@ -103,15 +103,15 @@ def _mm(value: float | None) -> str:
 
 def _phases(answer: GaitReport) -> Table:
     found = table(
-        "phases, with the smallest margins of each", ("phase", ""), ("from", ""), ("to", ""), ("t", "s"),
-        "swing", "stance", ("static", "mm"), ("longitudinal", "mm"), ("energy", "mm"), ("zmp", "mm"),
+        "phases, and the smallest margins of each in mm: static, longitudinal (ahead), energy",
+        ("phase", ""), ("from", ""), ("t", "s"), "swing", "stance", ("static", ""), ("ahead", ""), ("energy", ""),
     )  # fmt: skip
     for least in answer.least:
         phase = least.phase
         found.add_row(
-            str(phase.number), str(phase.start), str(phase.end), f"{float(phase.start) * answer.walk.period:.3f}",
+            str(phase.number), str(phase.start), f"{float(phase.start) * answer.walk.period:.3f}",
             " ".join(phase.swing) or "-", " ".join(phase.stance),
-            _mm(least.static), _mm(least.longitudinal), _mm(least.energy), _mm(least.zmp),
+            _mm(least.static), _mm(least.longitudinal), _mm(least.energy),
         )  # fmt: skip
     return found
 
@@ -120,17 +120,15 @@ def _margins(answer: GaitReport) -> Table:
     data = answer.to_json(1)["margins"]
     found = table("over the cycle", "margin", ("smallest", "mm"), "what it is")
     for key, name, meaning in (
-        ("static_mm", "static", "from the centre of mass to the edge of the support polygon"),
+        ("static_mm", "static", "centre of mass to the edge of the support polygon"),
         ("longitudinal_mm", "longitudinal", "the same along the body"),
-        ("theory_mm", "by theory", "S = (n/2 - 1) P + (1 - 3/(4 beta)) R, longitudinal, of wave gaits"),
-        ("energy_mm", "energy", "how far the centre of mass rises before the robot tips"),
-        ("zmp_mm", "zmp", "from the zero moment point to the edge, by the cart-table model"),
+        ("theory_mm", "by theory", "(n/2 - 1) P + (1 - 3/(4 beta)) R, of wave gaits"),
+        ("energy_mm", "energy", "rise of the centre of mass before it tips"),
+        ("zmp_mm", "zmp", "zero moment point to the edge, cart-table model"),
     ):
         shown = "-" if data[key] is None else f"{data[key] + 0.0:.1f}"
         found.add_row(name, shown, meaning)
-    found.add_row(
-        "slip", f"{answer.slip * 1000:.1e}", "the farthest that a standing foot moves over the ground"
-    )
+    found.add_row("slip", f"{answer.slip * 1000:.1e}", "farthest move of a standing foot over the ground")
     return found
 
 
@@ -143,8 +141,8 @@ def _margin_plot(answer: GaitReport) -> list[Any]:
 
 def _jumps(answer: GaitReport) -> Table:
     found = table(
-        "jumps over the ground at lift-off / touch-down, by foot trajectory", "trajectory",
-        "velocity along [mm/s]", "up [mm/s]", "acceleration along [mm/s2]", "up [mm/s2]",
+        "jumps of velocity and acceleration at lift-off / touch-down, by foot trajectory", "trajectory",
+        "along [mm/s]", "up [mm/s]", "along [mm/s2]", "up [mm/s2]",
     )  # fmt: skip
     for name, jump in answer.jumps.items():
         used = name == answer.walk.curve.name

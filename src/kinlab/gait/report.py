@@ -9,10 +9,11 @@ import numpy as np
 from kinlab.errors import UsageError
 from kinlab.gait.landing import DECELERATION, HEEL_STRIKE, Landing, landings
 from kinlab.gait.limits import Limits, assess
+from kinlab.gait.motion import Motion
 from kinlab.gait.schedule import Phase
 from kinlab.gait.stability import Least, Stability, least_margins, mass_note, stability, theory
 from kinlab.gait.swing import CURVES, Jumps, jumps
-from kinlab.gait.walk import Motion, Walk
+from kinlab.gait.walk import Walk
 from kinlab.robots.target import angles_deg
 
 # Frames of a cycle in the JSON, and of each cycle of the walk whose slip is measured.
