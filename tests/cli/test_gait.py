@@ -70,11 +70,11 @@ def test_theory_stands_beside_the_margin_of_a_wave_gait(kinlab):
 
 def test_eros_shows_its_touch_down_with_and_without_deceleration_and_heel_strike(kinlab):
     found = kinlab("gait", "eros", "--json").json["landing"]
-    assert found["decelerated"]["down_mm_s"] < found["constant"]["down_mm_s"] / 2
+    assert found["deceleration"]["down_mm_s"] < found["plain"]["down_mm_s"] / 2
     assert found["heel strike"]["toe_up_deg"] > 0
     shown = kinlab("gait", "eros").out
-    assert f"{found['constant']['down_mm_s']:.1f}" in shown
-    assert f"{found['decelerated']['down_mm_s']:.1f}" in shown
+    assert f"{found['plain']['down_mm_s']:.1f}" in shown
+    assert f"{found['deceleration']['down_mm_s']:.1f}" in shown
     assert "single" in shown
     assert "double" in shown
 

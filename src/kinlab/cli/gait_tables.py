@@ -153,8 +153,8 @@ def _jumps(answer: GaitReport) -> Table:
 
 def _landings(answer: GaitReport) -> Table:
     found = table(
-        "touch-down",
-        "landing",
+        "touch-down, without and with eros's optimisations",
+        "optimisation",
         ("down", "mm/s"),
         ("over the ground", "mm/s"),
         ("toe down", "deg"),
