@@ -79,6 +79,12 @@ def test_eros_shows_its_touch_down_with_and_without_deceleration_and_heel_strike
     assert "double" in shown
 
 
+def test_a_humanoid_stands_more_safely_on_two_feet_than_on_one(kinlab):
+    support = kinlab("gait", "eros", "--json").json["support"]
+    for margin in ("static_mm", "zmp_mm"):
+        assert support["double"][margin] > support["single"][margin] > 0
+
+
 def test_the_experiments_of_eros_are_presets(kinlab):
     found = kinlab("gait", "eros", "--experiment", 16, "--json").json
     assert [found["stride_mm"] / 2, found["sway_mm"], found["lift_mm"]] == pytest.approx([16, 35, 95])

@@ -8,9 +8,8 @@ from rich.text import Text
 
 from kinlab.cli.show import console, number, picture, sentences, show, table
 from kinlab.gait.drawing import bars, draw_support, plot
-from kinlab.gait.report import FRAMES, GaitReport
+from kinlab.gait.report import GaitReport
 from kinlab.gait.schedule import Phase
-from kinlab.gait.stability import stability
 
 
 def show_gait(answer: GaitReport) -> None:
@@ -133,8 +132,7 @@ def _margins(answer: GaitReport) -> Table:
 
 
 def _margin_plot(answer: GaitReport) -> list[Any]:
-    walk = answer.walk
-    values = stability(walk.at(np.arange(4 * FRAMES) / (4 * FRAMES) * walk.period)).static * 1000
+    values = answer.trace * 1000
     title = f"static margin over one cycle, {values.min():.1f} to {values.max():.1f} mm; dashed is zero"
     return [Text(title, style="italic"), picture(plot(values, ascii_only=_plain()))]
 
@@ -170,21 +168,18 @@ def _landings(answer: GaitReport) -> Table:
 
 def _support(answer: GaitReport) -> Table:
     found = table("support of two legs", "support", ("centre of mass", "mm"), ("zmp", "mm"))
-    for name, feet in (("single", 1), ("double", 2)):
-        of_kind = [least for least in answer.least if len(least.phase.stance) == feet]
-        if of_kind:
-            found.add_row(name, _mm(min(f.static for f in of_kind)), _mm(min(f.zmp for f in of_kind)))
+    for name, (static, zmp) in answer.support.items():
+        found.add_row(name, _mm(static), _mm(zmp))
     return found
 
 
 def _limits(answer: GaitReport) -> str:
     limits = answer.limits
     leg, joint = limits.tightest
-    i = [limb.name for limb in answer.walk.robot.legs].index(leg)
-    speed = np.degrees(limits.speeds[i].max())
     if limits.fastest is None:
         if limits.model is None:
-            return f"fastest joint: the {joint} of {leg}, {speed:.0f} deg/s; no servo is known to compare it with"
+            speed = f"{np.degrees(limits.speed):.0f} deg/s"
+            return f"fastest joint: the {joint} of {leg}, {speed}; no servo is known to compare it with"
         return f"the {joint} of {leg} needs {limits.used:.0%} of the speed of its {limits.model}"
     return (
         f"the {joint} of {leg} needs {limits.used:.0%} of the speed of its {limits.model}; at this stride and lift "

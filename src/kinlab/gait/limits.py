@@ -47,6 +47,13 @@ class Limits:
         return limb.name, limb.joint_names[joint]
 
     @property
+    def speed(self) -> float:
+        """Of that joint, rad/s."""
+        leg, joint = self.tightest
+        row = [limb.name for limb in self.walk.robot.legs].index(leg)
+        return float(self.speeds[row, self.walk.robot.limbs[leg].joint_names.index(joint)])
+
+    @property
     def model(self) -> str | None:
         """The servo there."""
         leg, joint = self.tightest

@@ -14,6 +14,7 @@ from kinlab.gait.schedule import Phase
 from kinlab.gait.stability import Least, Stability, least_margins, mass_note, stability, theory
 from kinlab.gait.swing import CURVES, Jumps, jumps
 from kinlab.gait.walk import Walk
+from kinlab.kinematics.transforms import Array
 from kinlab.robots.target import angles_deg
 
 # Frames of a cycle in the JSON, and of each cycle of the walk whose slip is measured.
@@ -64,6 +65,22 @@ class GaitReport:
         legs = [leg.name for leg in self.walk.robot.legs]
         at = float(phase.start + (phase.end - phase.start) * share) * self.walk.period
         return stability(self.walk.at(at), [leg in phase.stance for leg in legs])
+
+    @cached_property
+    def trace(self) -> Array:
+        """The static margin at evenly spaced instants of a cycle (N,), metres."""
+        times = np.arange(4 * FRAMES) / (4 * FRAMES) * self.walk.period
+        return stability(self.walk.at(times)).static
+
+    @property
+    def support(self) -> dict[str, tuple[float, float]]:
+        """The smallest margins of centre of mass and zero moment point on one foot and on two, metres."""
+        found = {}
+        for name, feet in (("single", 1), ("double", 2)):
+            phases = [least for least in self.least if len(least.phase.stance) == feet]
+            if phases:
+                found[name] = (min(least.static for least in phases), min(least.zmp for least in phases))
+        return found
 
     @property
     def jumps(self) -> dict[str, Jumps]:
@@ -121,11 +138,16 @@ class GaitReport:
                 "zmp_mm": min(found.zmp for found in self.least) * 1000,
                 "theory_mm": None if self.theory is None else self.theory * 1000,
             },
+            "support": {
+                name: {"static_mm": static * 1000, "zmp_mm": zmp * 1000}
+                for name, (static, zmp) in self.support.items()
+            },
             "slip_mm": self.slip * 1000,
             "limits": {
                 "leg": leg,
                 "joint": joint,
                 "model": self.limits.model,
+                "deg_s": float(np.degrees(self.limits.speed)),
                 "used": self.limits.used,
                 "fastest_mm_s": None if fastest is None else fastest * 1000,
             },

@@ -14,6 +14,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike
 
+from kinlab.errors import UsageError
 from kinlab.gait.motion import Motion
 from kinlab.gait.pace import Pace, fade
 from kinlab.gait.schedule import Gait
@@ -115,7 +116,12 @@ class Walk:
         """The same walk over `distance` metres of the body's way (rad, where it only turns), from standing and to it.
 
         A robot of two legs sways for one cycle before its first step, and for one after its last.
+
+        Raises:
+            UsageError: a distance that is not a number from 0 up.
         """
+        if not 0 <= distance < np.inf:
+            raise UsageError(f"a walk's distance must be 0 or more, got {distance:g}")
         pace = distance / (self.speed or abs(self.turn) or 1 / self.period)
         begin = self.period if self.sway else 0.0
         return replace(self, pace=Pace(begin, self.period, pace))

@@ -225,7 +225,13 @@ class Robot:
         return inverse(np.stack([leg.mount for leg in self.legs]))
 
     def to_legs(self, feet: Array) -> Array:
-        """Feet (..., L, 3) from the body frame, each into the limb frame of its leg, metres."""
+        """Feet (..., L, 3) from the body frame, each into the limb frame of its leg, metres.
+
+        Raises:
+            UsageError: not one foot for each leg.
+        """
+        if feet.shape[-2:] != (len(self.legs), 3):
+            raise UsageError(f"{self.name} has {len(self.legs)} legs, got feet of shape {feet.shape}")
         turn, shift = self._leg_map
         # One product for all legs at once is several times faster than one for each foot.
         local = (feet.reshape(-1, len(shift)) @ turn + shift).reshape(feet.shape)
