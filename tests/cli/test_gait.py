@@ -34,6 +34,7 @@ def test_json_holds_the_contract(kinlab):
         assert list(frame["angles_deg"]["R1"]) == ["coxa", "femur", "tibia"]
         assert len(frame["feet_mm"]["L3"]) == 3
         assert len(frame["swing"]) == 1
+        assert frame["stability_margin_mm"] >= found["margins"]["static_mm"] - 1e-9
     assert found["slip_mm"] < 1e-6
 
 
@@ -230,3 +231,10 @@ def test_ctrl_c_ends_the_steps_quietly():
             break
     assert "Traceback" not in seen
     assert terminal.ends() in (130, -signal.SIGINT)
+
+
+def test_a_margin_that_does_not_exist_is_null(kinlab):
+    found = kinlab("gait", "udiebot", "--gait", "pace", "--json").json
+    assert found["margins"]["longitudinal_mm"] is None
+    assert found["frames"][0]["longitudinal_margin_mm"] is None
+    assert found["margins"]["static_mm"] < 0

@@ -9,7 +9,6 @@ import numpy as np
 from kinlab.errors import UsageError
 from kinlab.gait.landing import DECELERATION, HEEL_STRIKE, Landing, landings
 from kinlab.gait.limits import Limits, assess
-from kinlab.gait.motion import Motion
 from kinlab.gait.schedule import Phase
 from kinlab.gait.stability import Least, Stability, least_margins, mass_note, stability, theory
 from kinlab.gait.swing import CURVES, Jumps, jumps
@@ -154,7 +153,7 @@ class GaitReport:
             "jumps": {name: _jumps_json(jump) for name, jump in self.jumps.items()},
             "landing": {name: _landing_json(found) for name, found in self.landings.items()},
             "events": [self._event_json(found) for found in self.least],
-            "frames": _frames_json(walk.at(np.arange(frames) / frames * walk.period)),
+            "frames": _frames_json(stability(walk.at(np.arange(frames) / frames * walk.period))),
             "notes": list(self.notes),
         }
 
@@ -203,8 +202,15 @@ def _landing_json(found: Landing) -> dict[str, float]:
     }
 
 
-def _frames_json(motion: Motion) -> list[dict[str, Any]]:
+def _frames_json(state: Stability) -> list[dict[str, Any]]:
+    motion = state.motion
     legs = motion.walk.robot.legs
+    margins = {
+        "stability_margin_mm": state.static,
+        "longitudinal_margin_mm": state.longitudinal,
+        "energy_margin_mm": state.energy,
+        "zmp_margin_mm": state.zmp_margin,
+    }
     return [
         {
             "t_s": float(motion.t[i]),
@@ -214,6 +220,8 @@ def _frames_json(motion: Motion) -> list[dict[str, Any]]:
             },
             "angles_deg": {leg.name: angles_deg(leg, motion.q[i, k]) for k, leg in enumerate(legs)},
             "swing": [leg.name for k, leg in enumerate(legs) if motion.swing[i, k]],
+            # A pacing robot's side has no edge ahead of the centre of mass, nor behind it.
+            **{name: None if np.isnan(v[i]) else float(v[i]) * 1000 for name, v in margins.items()},
         }
         for i in range(len(motion.t))
     ]

@@ -218,7 +218,7 @@ def _steps(walk: Walk, t: Array) -> _Steps:
     moves = following > hold
     progress = progress[moves[swing]]
     # However many steps are not taken, the first foothold and the last are one each.
-    number = np.where(hold == 0.0, FIRST, np.where(hold == pace.way, LAST, count))
+    number = np.where(hold == 0.0, FIRST, np.where(hold == pace.travel(pace.end), LAST, count))
     swing = swing & moves
     now = pace.travel(t)[..., None]
     lifted = hold - pace.travel(landed + duty * period)
