@@ -18,4 +18,5 @@ test: demo
 .venv/installed: pyproject.toml
 	$(PYTHON) -m venv .venv
 	$(BIN)/pip install --quiet --editable '.[all]'
+	$(BIN)/python -m compileall -q src
 	@touch $@

@@ -21,7 +21,7 @@ def ik_picture() -> str:
     robot = load_robot("xl430-hexapod")
     out.print("$ kinlab ik xl430-hexapod 75 10 -46 --limb R1", style="bold", highlight=False)
     answer = solve_target(robot, robot.limbs["R1"], [0.075, 0.010, -0.046])
-    show_answer(answer, every=False, as_printed=False, trace=False)
+    show_answer(answer)
     svg = out.export_svg(title="kinlab ik")
     # No request leaves the page: the fonts of the reader's machine serve.
     return re.sub(r"@font-face \{.*?\}\s*", "", svg, flags=re.DOTALL)

@@ -183,3 +183,9 @@ def test_lists_and_float32_are_taken_and_the_start_is_left_alone():
     assert found.converged
     assert found.q.dtype == np.float64
     np.testing.assert_array_equal(start, NEAR.astype(np.float32))
+
+
+@every_method
+def test_the_residual_is_that_of_the_angles_given_back_however_often_they_went_round(method):
+    found = solve(*LEG, [0, 0, 0], [0, 0, 1e-9], method=method)
+    assert found.residual_m == pytest.approx(distance(LEG, found.q, [0, 0, 0]), abs=1e-15)

@@ -28,6 +28,10 @@ def ik(
     frame: FrameOption = "limb",
     unit: Annotated[str, typer.Option("--unit", "-u", help="Unit of the target: mm, cm or m.")] = "mm",
     every: Annotated[bool, typer.Option("--all", "-a", help="Every solution, not only the chosen.")] = False,
+    servos: Annotated[
+        bool,
+        typer.Option("--servos/--no-servos", help="Servo angles and commands beside the joints' angles."),
+    ] = True,
     rpy: Annotated[
         tuple[float, float, float] | None,
         typer.Option(metavar="R P Y", help="Roll, pitch and yaw of the tip in deg, for limbs of six joints."),
@@ -66,6 +70,8 @@ def ik(
         raise UsageError(f"a target is three numbers X Y Z, got {len(target)}")
     if rpy is not None and yaw is not None:
         raise UsageError("--yaw DEG is short for --rpy 0 0 DEG: give one of the two")
+    if compare and (as_printed or every or method is not None):
+        raise UsageError("--compare shows every method by itself: leave --all, --as-printed and --method out")
     if trace and method is None:
         raise UsageError("--trace shows the steps of a method: name one with --method")
     machine = load_robot(robot, robots)
@@ -83,12 +89,12 @@ def ik(
             from kinlab.cli.ik_tables import show_comparison
 
             show_comparison(report)
-        if not any(run.converged for run in report.runs):
+        if not report.reached:
             raise typer.Exit(1)
         return
     answer = solve_target(machine, which, point, frame=frame, rpy=attitude, method=method)
     if json:
-        document = answer.to_json()
+        document = answer.to_json(servos=servos)
         if as_printed:
             from kinlab.papers import as_printed as evaluate
 
@@ -98,6 +104,6 @@ def ik(
     else:
         from kinlab.cli.ik_tables import show_answer
 
-        show_answer(answer, every=every, as_printed=as_printed, trace=trace)
-    if not answer.reachable:
+        show_answer(answer, every=every, servos=servos, as_printed=as_printed, trace=trace)
+    if answer.chosen is None:
         raise typer.Exit(1)

@@ -6,27 +6,36 @@ from rich.table import Table
 from rich.text import Text
 
 from kinlab.cli.printed import printed_table
-from kinlab.cli.show import drawing, number, place, show, table
+from kinlab.cli.show import drawing, fixed, place, sentences, show, table
 from kinlab.papers import AsPrinted, measured
 from kinlab.papers import as_printed as evaluate
 from kinlab.robots import Limb
-from kinlab.robots.methods import MethodComparison
+from kinlab.robots.methods import MethodComparison, outcome
 from kinlab.robots.target import PoseReport, TargetReport, angles_deg
 
 
-def show_answer(answer: TargetReport, *, every: bool, as_printed: bool, trace: bool) -> None:
+def show_answer(
+    answer: TargetReport,
+    *,
+    every: bool = False,
+    servos: bool = True,
+    as_printed: bool = False,
+    trace: bool = False,
+) -> None:
     """Angles, servos, errors and a drawing; where asked for, all solutions, the steps, the printed equations."""
     show(_heading(answer.robot.name, answer.limb.name, answer.place_mm(answer.target), answer.frame))
-    if not answer.reachable:
-        show(Text(f"not reachable: {answer.reason}", style="bold red"))
-    if answer.nearest is not None:
-        show(
-            f"nearest reachable point: {place(answer.place_mm(answer.nearest))} mm, {answer.missed_mm:.3f} mm away"
-        )
+    if answer.chosen is None:
+        verdict = "not reached" if answer.reachable else "not reachable"
+        show(Text(f"{verdict}: {answer.reason}", style="bold red"))
+    if answer.nearest is not None and answer.missed_mm < 1e-6:
+        show("With its attitude left free, the tip reaches the place.")
+    elif answer.nearest is not None:
+        nearest = place(answer.place_mm(answer.nearest))
+        show(f"nearest reachable point: {nearest} mm, {answer.missed_mm:.3f} mm away")
     chosen = None if answer.chosen is None else answer.poses[answer.chosen]
     for pose in answer.poses:
         if every or chosen is None or pose is chosen:
-            show("", angles_table(answer, pose))
+            show("", angles_table(answer, pose, servos=servos))
     if trace:
         show("", _trace(answer))
     printed = evaluate(answer.robot, answer.limb, answer.target, answer.rotation)
@@ -43,21 +52,21 @@ def _heading(robot: str, limb: str, target_mm: list[float], frame: str) -> Text:
     )
 
 
-def angles_table(answer: TargetReport, pose: PoseReport) -> Table:
-    """Joint angles, servo angles and commands of a pose."""
-    state = "within limits" if pose.within_limits else "; ".join(pose.beyond)
+def angles_table(answer: TargetReport, pose: PoseReport, *, servos: bool = True) -> Table:
+    """Joint angles of a pose; with `servos`, their angles and commands."""
+    columns: list[str | tuple[str, str]] = ["joint", ("angle", "deg")]
+    if servos:
+        columns += ["servo", ("servo angle", "deg"), ("command", "")]
     found = table(
-        f"{pose.name}, {state}", "joint", ("angle", "deg"), "servo", ("servo angle", "deg"), ("command", "")
+        f"{pose.name}, {'within limits' if pose.within_limits else '; '.join(pose.beyond)}", *columns
     )
     for joint, angle in angles_deg(answer.limb, pose.q).items():
         servo = pose.servos.get(joint)
-        if servo is None:
-            found.add_row(joint, f"{angle:.4f}", "not printed", "", "")
-        else:
+        cells = ["not printed", "", ""]
+        if servo is not None:
             command = "beyond its range" if servo.command is None else f"{servo.command} {servo.unit}"
-            found.add_row(
-                joint, f"{angle:.4f}", f"{servo.model}, id {servo.id}", f"{servo.servo_deg:.3f}", command
-            )
+            cells = [f"{servo.model}, id {servo.id}", f"{servo.servo_deg:.3f}", command]
+        found.add_row(joint, fixed(angle, 4), *(cells if servos else ()))
     return found
 
 
@@ -84,10 +93,11 @@ def errors_table(answer: TargetReport, pose: PoseReport, printed: tuple[AsPrinte
     if paper is None:
         found.add_row("as the paper measured", "-", "it measured no tip of this limb")
     else:
-        x, y, z = (number(v, 2) for v in paper.axes_mm)
-        found.add_row(
-            "as the paper measured", f"{paper.error_mm:.4f}", f"{paper.where}: x {x}, y {y}, z {z} mm off"
+        measured_mm, printed_mm = (
+            ", ".join(f"{v:.2f}" for v in values) for values in (paper.axes_mm, paper.printed_mm)
         )
+        note = f"{paper.where}: {measured_mm} on x, y, z; Table 4 prints {printed_mm}"
+        found.add_row("as the paper measured", f"{paper.error_mm:.2f}", note)
     return found
 
 
@@ -107,7 +117,7 @@ def _joints(limb: Limb) -> str:
 
 
 def _angles(limb: Limb, q: Any) -> str:
-    return ", ".join(f"{a:.3f}" for a in angles_deg(limb, q).values())
+    return ", ".join(fixed(a, 3) for a in angles_deg(limb, q).values())
 
 
 def show_comparison(report: MethodComparison) -> None:
@@ -121,13 +131,20 @@ def show_comparison(report: MethodComparison) -> None:
         _joints(report.limb),
         "outcome",
     )
+    why = []
     exact = report.closed
     if exact is None:
-        found.add_row("closed form", "", "", "", report.no_closed_form)
+        found.add_row("closed form", "", "", "", "none")
+        why.append(("closed form:", report.no_closed_form))
     else:
         angles = _angles(report.limb, exact.q)
         found.add_row("closed form", "0", f"{exact.error_m * 1000:.1e}", angles, exact.name)
     for run in report.runs:
-        angles = _angles(report.limb, run.q)
-        found.add_row(run.method, str(run.iterations), f"{run.residual_m * 1000:.1e}", angles, run.reason)
+        ended, reason = outcome(report.limb, run)
+        residual = f"{run.residual_m * 1000:.1e}"
+        found.add_row(run.method, str(run.iterations), residual, _angles(report.limb, run.q), ended)
+        if reason:
+            why.append((f"{run.method}:", reason))
     show("", found)
+    if why:
+        show("", sentences(*why))

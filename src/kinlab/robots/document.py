@@ -210,13 +210,19 @@ def _fails(data: Any, kind: Any, message: str) -> bool:
     return False
 
 
-def _fields(top: type[Any], place: Place) -> list[str]:
-    """The fields that the struct at `place` takes, below one of the kind `top`."""
-    if not place:
-        return list(top.__struct_fields__)
-    kinds = {"members": schema.Member, "joints": schema.JointSpec, "mountings": schema.Mounting}
-    kind: Any = next((kinds[k] for k in place if k in kinds), schema.Length)
-    return list(kind.__struct_fields__)
+# What stands under a key of a robot.
+_STRUCTS = {
+    "at": schema.Point, "body": schema.Length, "centre": schema.Point, "joints": schema.JointSpec,
+    "lengths": schema.Length, "limits": schema.Range, "mass": schema.Mass, "masses": schema.Mass,
+    "members": schema.Member, "mountings": schema.Mounting, "paper_axes": schema.PaperAxes, "sole": schema.Area,
+    "stance": schema.Point,
+}  # fmt: skip
+
+
+def _fields(top: type[Any], place: Place) -> tuple[str, ...]:
+    """The fields of what stands at `place` of a robot; where it is empty, of `top`."""
+    kind: Any = next((_STRUCTS[k] for k in reversed(place) if k in _STRUCTS), top)
+    return tuple(kind.__struct_fields__)
 
 
 def _value_at(value: Any, place: tuple[Any, ...]) -> Any:

@@ -78,6 +78,8 @@ def inverse_kinematics(limb: Limb, target: ArrayLike, rotation: ArrayLike | None
     if rotation is not None and not posed:
         raise UsageError(f"limb {limb.name} has {len(limb.joints)} joints: it cannot choose its attitude")
     R = np.eye(3) if rotation is None else np.asarray(rotation, float)
+    if R.shape[-2:] != (3, 3) or not np.abs(R @ np.swapaxes(R, -1, -2) - np.eye(3)).max(initial=0.0) < 1e-6:
+        raise UsageError("an attitude is a rotation matrix of shape (3, 3)")
     lead = np.broadcast_shapes(target.shape[:-1], R.shape[:-2] if posed else ())
     target = np.broadcast_to(target, (*lead, 3)).reshape(-1, 3)
     attitudes = np.broadcast_to(R, (*lead, 3, 3)).reshape(-1, 3, 3) if posed else None

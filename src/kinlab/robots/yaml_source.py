@@ -89,7 +89,8 @@ class _Builder:
         self.name = name
         self.anchors: dict[str, Any] = {}
         self.stack: list[tuple[Mapping | Sequence, str | None]] = []
-        self.keys: list[str | None] = []
+        # The key, with its line, that waits for its value, in each open mapping.
+        self.keys: list[tuple[str, int] | None] = []
         self.root: Any = None
         self.documents = 0
 
@@ -135,11 +136,14 @@ class _Builder:
         if tag in (None, "!"):
             tag = _RESOLVER.resolve(yaml.ScalarNode, event.value, event.implicit)  # type: ignore[no-untyped-call]
         kind = tag.removeprefix(_PREFIX)
+        if event.tag is None and event.implicit[0]:
+            # YAML 1.1 takes 5e1 for text and 1:30 for ninety; a reader of lengths does not.
+            kind = "float" if _SCIENTIFIC.fullmatch(event.value) else "str" if ":" in event.value else kind
         if kind not in _KINDS:
             raise self.fail(line, f"tag {tag} is not allowed; a robots file is plain data")
         if kind in ("str", "timestamp", "merge"):
             return _Merge() if kind == "merge" else event.value
-        node = yaml.ScalarNode(tag, event.value)
+        node = yaml.ScalarNode(_PREFIX + kind, event.value)
         try:
             value = _CONSTRUCTOR.construct_object(node)
             # Beyond this an int is no float any more, and from 4300 digits on not even text.
@@ -157,7 +161,7 @@ class _Builder:
             return
         parent, _ = self.stack[-1]
         if isinstance(parent, Mapping) and self.keys[-1] is None:
-            self.keys[-1] = self.key(value, parent, line)
+            self.keys[-1] = self.key(value, parent, line), line
             return
         parent.size += getattr(value, "size", 1)
         if parent.size > MAX_VALUES:
@@ -166,8 +170,9 @@ class _Builder:
             parent.append(value)
             parent.lines.append(line)
             return
-        key, self.keys[-1] = self.keys[-1], None
-        assert key is not None
+        waiting, self.keys[-1] = self.keys[-1], None
+        assert waiting is not None
+        key, line = waiting
         if key == "<<":
             self.merge(parent, value, line)
         else:
@@ -210,3 +215,4 @@ def _name_of(value: Any) -> str:
 
 _RESOLVER = yaml.resolver.Resolver()
 _CONSTRUCTOR = yaml.constructor.SafeConstructor()
+_SCIENTIFIC = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)[eE][+-]?\d+")

@@ -1,0 +1,89 @@
+"""Drawing with characters."""
+
+from kinlab.canvas import Canvas
+
+
+def _square(**settings: bool) -> Canvas:
+    return Canvas(20, 10, [(-10.0, -10.0), (10.0, 10.0)], **settings)
+
+
+def test_one_scale_serves_both_directions():
+    """A square of the world is as many dots wide as high: half as many columns as dots, a quarter of the rows."""
+    canvas = _square()
+    for a, b in ((-10, -10, 10, -10), (-10, 10, 10, 10)), ((-10, -10, -10, 10), (10, -10, 10, 10)):
+        for x0, y0, x1, y1 in (a, b):
+            canvas.line((x0, y0), (x1, y1), "edge")
+    rows = [row for row in canvas.text().splitlines() if row.strip()]
+    assert abs(2 * max(map(len, (r.strip() for r in rows))) - 4 * len(rows)) <= 4
+
+
+def test_what_must_be_in_sight_is():
+    canvas = Canvas(30, 8, [(0.0, 0.0), (1000.0, 3.0)])
+    canvas.mark((0.0, 0.0), "A", "")
+    canvas.mark((1000.0, 3.0), "B", "")
+    assert "A" in canvas.text()
+    assert "B" in canvas.text()
+
+
+def test_places_out_of_sight_are_left_out():
+    canvas = _square()
+    canvas.mark((1e6, 0.0), "A", "")
+    canvas.label((1e6, 0.0), "far", "")
+    canvas.line((-1e3, 0.0), (1e3, 0.0), "line")
+    assert "A" not in canvas.text()
+    assert "far" not in canvas.text()
+
+
+def test_up_is_up_and_right_is_right():
+    canvas = _square()
+    canvas.mark((0.0, 9.0), "U", "")
+    canvas.mark((9.0, 0.0), "R", "")
+    rows = canvas.text().splitlines()
+    up = next(i for i, row in enumerate(rows) if "U" in row)
+    right = next(i for i, row in enumerate(rows) if "R" in row)
+    assert up < right
+    assert rows[right].index("R") > rows[up].index("U")
+
+
+def test_labels_never_cover_marks_or_each_other():
+    canvas = _square()
+    canvas.mark((0.0, 0.0), "o", "")
+    for _ in range(8):
+        canvas.label((0.0, 0.0), "name", "")
+    text = canvas.text()
+    assert "o" in text
+    assert 1 <= text.count("name") <= 4
+
+
+def test_ascii_only_needs_no_braille():
+    canvas = _square(ascii_only=True)
+    canvas.line((-9.0, -9.0), (9.0, 9.0), "line")
+    assert canvas.text().isascii()
+    assert "*" in canvas.text()
+
+
+def test_empty_places_are_spaces_and_not_blank_braille():
+    canvas = _square()
+    canvas.line((-9.0, 0.0), (9.0, 0.0), "line")
+    assert "\u2800" not in canvas.text()
+
+
+def test_spans_carry_the_roles_that_a_face_colours():
+    canvas = _square()
+    canvas.line((-9.0, 0.0), (9.0, 0.0), "femur")
+    assert {role for row in canvas.spans() for _, role in row} == {"", "femur"}
+
+
+def test_fill_covers_what_is_inside():
+    canvas = _square()
+    canvas.fill(lambda x, y: x * x + y * y < 25, "disc")
+    full = sum(text.count("⣿") for row in canvas.spans() for text, _ in row)
+    # The disc's area in characters, which are cell_width by twice that.
+    area = 25 * 3.1416 / (canvas.cell_width * 2 * canvas.cell_width)
+    assert 0.5 * area < full <= area
+
+
+def test_a_picture_of_a_single_point_is_possible():
+    canvas = Canvas(10, 5, [(3.0, 3.0)])
+    canvas.mark((3.0, 3.0), "x", "")
+    assert "x" in canvas.text()
