@@ -36,11 +36,13 @@ class Canvas:
         """How much of the world one character is wide, in its unit."""
         return 2.0 * self._per_dot
 
-    def line(self, start: Point, end: Point, role: str) -> None:
+    def line(self, start: Point, end: Point, role: str, *, dashed: bool = False) -> None:
         """A straight line; `role` names what it is, for a face to colour."""
         (x0, y0), (x1, y1) = self._dot(start), self._dot(end)
         steps = max(int(max(abs(x1 - x0), abs(y1 - y0))), 1)
         for i in range(steps + 1):
+            if dashed and i % 6 >= 3:
+                continue
             self._set(round(x0 + (x1 - x0) * i / steps), round(y0 + (y1 - y0) * i / steps), role)
 
     def fill(self, inside: Callable[[float, float], bool], role: str) -> None:

@@ -12,9 +12,6 @@ from kinlab.gait.stability import Stability
 from kinlab.gait.support import hull
 from kinlab.kinematics.transforms import Array
 
-# Of the line at zero, in braille dots.
-DASH = 3
-
 
 def bars(gait: Gait, columns: int, *, ascii_only: bool = False) -> dict[str, str]:
     """For each leg one cycle, `columns` characters wide: blocks where it swings, dots where it stands.
@@ -58,8 +55,7 @@ def plot(values: ArrayLike, *, columns: int = 60, rows: int = 7, ascii_only: boo
     points = [(across * i / (len(y) - 1), (v - low) * scale) for i, v in enumerate(y.tolist())]
     canvas = Canvas(columns, rows, [(0.0, 0.0), (across, up)], ascii_only=ascii_only)
     zero = -low * scale
-    for x in range(0, int(across), 2 * DASH):
-        canvas.line((float(x), zero), (float(x + DASH - 1), zero), "axis")
+    canvas.line((0.0, zero), (across, zero), "axis", dashed=True)
     for start, end in pairwise(points):
         canvas.line(start, end, "link1")
     return canvas

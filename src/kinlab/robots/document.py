@@ -220,7 +220,7 @@ _STRUCTS = {
 
 
 def _fields(top: type[Any], place: Place) -> tuple[str, ...]:
-    """The fields of what stands at `place` of a robot; where it is empty, of `top`."""
+    """The fields of what stands at `place`, below a struct of the kind `top`."""
     kind: Any = next((_STRUCTS[k] for k in reversed(place) if k in _STRUCTS), top)
     return tuple(kind.__struct_fields__)
 
