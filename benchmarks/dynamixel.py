@@ -132,7 +132,8 @@ def deadlines(seconds: float) -> list[Row]:
         busy = late(seconds, turn)
     missed = set(busy.missed) | set(failures)
     met = 1 - len(missed) / busy.rounds
-    starved = sum(waits[n] > PERIOD / 4 for n in missed)
+    # A round that begins late pays for the one before it.
+    starved = sum(sum(waits[max(0, n - 1) : n + 1]) > PERIOD / 4 for n in missed)
     noise = f"missed by a loop that does nothing, worst wake-up {bare.worst * 1e3:.2f} ms late"
     return [
         (

@@ -34,6 +34,7 @@ def test_json_holds_the_contract(kinlab):
         assert list(frame["angles_deg"]["R1"]) == ["coxa", "femur", "tibia"]
         assert len(frame["feet_mm"]["L3"]) == 3
         assert len(frame["swing"]) == 1
+        assert frame["stability_margin_mm"] >= found["margins"]["static_mm"] - 1e-9
     assert found["slip_mm"] < 1e-6
 
 
@@ -70,13 +71,19 @@ def test_theory_stands_beside_the_margin_of_a_wave_gait(kinlab):
 
 def test_eros_shows_its_touch_down_with_and_without_deceleration_and_heel_strike(kinlab):
     found = kinlab("gait", "eros", "--json").json["landing"]
-    assert found["decelerated"]["down_mm_s"] < found["constant"]["down_mm_s"] / 2
+    assert found["deceleration"]["down_mm_s"] < found["plain"]["down_mm_s"] / 2
     assert found["heel strike"]["toe_up_deg"] > 0
     shown = kinlab("gait", "eros").out
-    assert f"{found['constant']['down_mm_s']:.1f}" in shown
-    assert f"{found['decelerated']['down_mm_s']:.1f}" in shown
+    assert f"{found['plain']['down_mm_s']:.1f}" in shown
+    assert f"{found['deceleration']['down_mm_s']:.1f}" in shown
     assert "single" in shown
     assert "double" in shown
+
+
+def test_a_humanoid_stands_more_safely_on_two_feet_than_on_one(kinlab):
+    support = kinlab("gait", "eros", "--json").json["support"]
+    for margin in ("static_mm", "zmp_mm"):
+        assert support["double"][margin] > support["single"][margin] > 0
 
 
 def test_the_experiments_of_eros_are_presets(kinlab):
@@ -224,3 +231,10 @@ def test_ctrl_c_ends_the_steps_quietly():
             break
     assert "Traceback" not in seen
     assert terminal.ends() in (130, -signal.SIGINT)
+
+
+def test_a_margin_that_does_not_exist_is_null(kinlab):
+    found = kinlab("gait", "udiebot", "--gait", "pace", "--json").json
+    assert found["margins"]["longitudinal_mm"] is None
+    assert found["frames"][0]["longitudinal_margin_mm"] is None
+    assert found["margins"]["static_mm"] < 0

@@ -19,8 +19,8 @@ def test_deceleration_slows_the_touch_down():
     assert plain.down == pytest.approx(np.pi * eros().lift / eros().swing_time)
     assert slow.down < plain.down / 2
     found = landings(eros(decelerate=True, heel_strike=True))
-    assert found["constant"] == plain
-    assert found["decelerated"] == slow
+    assert found["plain"] == plain
+    assert found["deceleration"] == slow
 
 
 def test_deceleration_follows_its_law():

@@ -148,6 +148,8 @@ def test_every_gait_of_a_kind_walks_every_robot_of_it():
         ({"forward": np.nan}, "speed must be finite"),
         ({"stride": -0.1}, "stride must be above 0"),
         ({"period": np.inf}, "period must be above 0"),
+        ({"forward": 1e300}, "within 100 .*; is the unit right"),
+        ({"forward": 1e-300}, "a cycle would take"),
         ({"stride": 0.1, "period": 1.0}, "name one of them"),
         ({"heel_strike": True}, "soles; krsri-hexapod is a hexapod"),
     ],
@@ -156,3 +158,13 @@ def test_numbers_that_make_no_walk_are_refused(asked, message):
     robot = load_robot("krsri-hexapod")
     with pytest.raises(UsageError, match=message):
         plan(robot, find_gait(robot), **asked)
+
+
+def test_a_robot_may_step_in_place():
+    robot = load_robot("krsri-hexapod")
+    walk = plan(robot, find_gait(robot), forward=0.0)
+    motion = walk.at(np.linspace(0, walk.period, 100))
+    assert motion.level[..., :2] == pytest.approx(np.broadcast_to(walk.neutral[:, :2], (100, 6, 2)))
+    assert motion.level[..., 2].max() == pytest.approx(walk.lift, rel=1e-2)
+    journey = walk.over(3.0)
+    assert journey.at(np.linspace(0, journey.duration, 500)).slip() < NANOMETRE

@@ -51,7 +51,7 @@ app = typer.Typer(
     cls=LazyGroup,
     rich_markup_mode=None,
     pretty_exceptions_enable=False,
-    no_args_is_help=True,
+    invoke_without_command=True,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
 
@@ -64,6 +64,7 @@ def _version(wanted: bool) -> None:
 
 @app.callback(epilog="Start with: kinlab tour")
 def _root(
+    ctx: typer.Context,
     version: Annotated[
         bool, typer.Option("--version", "-V", callback=_version, is_eager=True, help="Show the version.")
     ] = False,
@@ -73,6 +74,8 @@ def _root(
     Pick a robot, give a target in millimetres, and see the joint angles, the
     servo ticks, and how far off the foot lands.
     """
+    if ctx.invoked_subcommand is None:
+        typer.echo(ctx.get_help())
 
 
 kinlab = typer.main.get_command(app)

@@ -8,9 +8,8 @@ from rich.text import Text
 
 from kinlab.cli.show import console, number, picture, sentences, show, table
 from kinlab.gait.drawing import bars, draw_support, plot
-from kinlab.gait.report import FRAMES, GaitReport
+from kinlab.gait.report import GaitReport
 from kinlab.gait.schedule import Phase
-from kinlab.gait.stability import stability
 
 
 def show_gait(answer: GaitReport) -> None:
@@ -103,15 +102,15 @@ def _mm(value: float | None) -> str:
 
 def _phases(answer: GaitReport) -> Table:
     found = table(
-        "phases, with the smallest margins of each", ("phase", ""), ("from", ""), ("to", ""), ("t", "s"),
-        "swing", "stance", ("static", "mm"), ("longitudinal", "mm"), ("energy", "mm"), ("zmp", "mm"),
+        "phases, and the smallest margins of each in mm: static, longitudinal (ahead), energy",
+        ("phase", ""), ("from", ""), ("t", "s"), "swing", "stance", ("static", ""), ("ahead", ""), ("energy", ""),
     )  # fmt: skip
     for least in answer.least:
         phase = least.phase
         found.add_row(
-            str(phase.number), str(phase.start), str(phase.end), f"{float(phase.start) * answer.walk.period:.3f}",
+            str(phase.number), str(phase.start), f"{float(phase.start) * answer.walk.period:.3f}",
             " ".join(phase.swing) or "-", " ".join(phase.stance),
-            _mm(least.static), _mm(least.longitudinal), _mm(least.energy), _mm(least.zmp),
+            _mm(least.static), _mm(least.longitudinal), _mm(least.energy),
         )  # fmt: skip
     return found
 
@@ -120,31 +119,28 @@ def _margins(answer: GaitReport) -> Table:
     data = answer.to_json(1)["margins"]
     found = table("over the cycle", "margin", ("smallest", "mm"), "what it is")
     for key, name, meaning in (
-        ("static_mm", "static", "from the centre of mass to the edge of the support polygon"),
+        ("static_mm", "static", "centre of mass to the edge of the support polygon"),
         ("longitudinal_mm", "longitudinal", "the same along the body"),
-        ("theory_mm", "by theory", "S = (n/2 - 1) P + (1 - 3/(4 beta)) R, longitudinal, of wave gaits"),
-        ("energy_mm", "energy", "how far the centre of mass rises before the robot tips"),
-        ("zmp_mm", "zmp", "from the zero moment point to the edge, by the cart-table model"),
+        ("theory_mm", "by theory", "(n/2 - 1) P + (1 - 3/(4 beta)) R, of wave gaits"),
+        ("energy_mm", "energy", "rise of the centre of mass before it tips"),
+        ("zmp_mm", "zmp", "zero moment point to the edge, cart-table model"),
     ):
         shown = "-" if data[key] is None else f"{data[key] + 0.0:.1f}"
         found.add_row(name, shown, meaning)
-    found.add_row(
-        "slip", f"{answer.slip * 1000:.1e}", "the farthest that a standing foot moves over the ground"
-    )
+    found.add_row("slip", f"{answer.slip * 1000:.1e}", "farthest move of a standing foot over the ground")
     return found
 
 
 def _margin_plot(answer: GaitReport) -> list[Any]:
-    walk = answer.walk
-    values = stability(walk.at(np.arange(4 * FRAMES) / (4 * FRAMES) * walk.period)).static * 1000
+    values = answer.trace * 1000
     title = f"static margin over one cycle, {values.min():.1f} to {values.max():.1f} mm; dashed is zero"
     return [Text(title, style="italic"), picture(plot(values, ascii_only=_plain()))]
 
 
 def _jumps(answer: GaitReport) -> Table:
     found = table(
-        "jumps over the ground at lift-off / touch-down, by foot trajectory", "trajectory",
-        "velocity along [mm/s]", "up [mm/s]", "acceleration along [mm/s2]", "up [mm/s2]",
+        "jumps of velocity and acceleration at lift-off / touch-down, by foot trajectory", "trajectory",
+        "along [mm/s]", "up [mm/s]", "along [mm/s2]", "up [mm/s2]",
     )  # fmt: skip
     for name, jump in answer.jumps.items():
         used = name == answer.walk.curve.name
@@ -155,8 +151,8 @@ def _jumps(answer: GaitReport) -> Table:
 
 def _landings(answer: GaitReport) -> Table:
     found = table(
-        "touch-down",
-        "landing",
+        "touch-down, without and with eros's optimisations",
+        "optimisation",
         ("down", "mm/s"),
         ("over the ground", "mm/s"),
         ("toe down", "deg"),
@@ -172,21 +168,18 @@ def _landings(answer: GaitReport) -> Table:
 
 def _support(answer: GaitReport) -> Table:
     found = table("support of two legs", "support", ("centre of mass", "mm"), ("zmp", "mm"))
-    for name, feet in (("single", 1), ("double", 2)):
-        of_kind = [least for least in answer.least if len(least.phase.stance) == feet]
-        if of_kind:
-            found.add_row(name, _mm(min(f.static for f in of_kind)), _mm(min(f.zmp for f in of_kind)))
+    for name, (static, zmp) in answer.support.items():
+        found.add_row(name, _mm(static), _mm(zmp))
     return found
 
 
 def _limits(answer: GaitReport) -> str:
     limits = answer.limits
     leg, joint = limits.tightest
-    i = [limb.name for limb in answer.walk.robot.legs].index(leg)
-    speed = np.degrees(limits.speeds[i].max())
     if limits.fastest is None:
         if limits.model is None:
-            return f"fastest joint: the {joint} of {leg}, {speed:.0f} deg/s; no servo is known to compare it with"
+            speed = f"{np.degrees(limits.speed):.0f} deg/s"
+            return f"fastest joint: the {joint} of {leg}, {speed}; no servo is known to compare it with"
         return f"the {joint} of {leg} needs {limits.used:.0%} of the speed of its {limits.model}"
     return (
         f"the {joint} of {leg} needs {limits.used:.0%} of the speed of its {limits.model}; at this stride and lift "

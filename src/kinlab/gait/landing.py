@@ -125,7 +125,7 @@ class Landing:
 def landings(walk: Walk) -> dict[str, Landing]:
     """How they come down without and with each of eros's optimisations, by name."""
     plain = replace(walk, curve=walk.curve.base or walk.curve, heel=0.0)
-    found = {"constant": plain, "decelerated": replace(plain, curve=decelerated(plain.curve))}
+    found = {"plain": plain, "deceleration": replace(plain, curve=decelerated(plain.curve))}
     if walk.robot.kind == "humanoid":
         found["heel strike"] = replace(plain, heel=heel_pitch_per_metre())
     return {name: landing(variant) for name, variant in found.items()}

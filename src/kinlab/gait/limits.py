@@ -6,7 +6,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from kinlab.errors import KinlabError
-from kinlab.gait.walk import Motion, Walk
+from kinlab.gait.motion import Motion
+from kinlab.gait.walk import Walk
 from kinlab.kinematics.transforms import Array
 from kinlab.robots.target import solve_target
 
@@ -14,6 +15,8 @@ from kinlab.robots.target import solve_target
 SAMPLES = 360
 # Of a second: the step for rates of joint angles, as a share of the cycle.
 TICK = 1e-6
+# A walk this much slower that is still not possible is possible at no speed.
+SMALLEST = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,6 +45,13 @@ class Limits:
         leg, joint = np.unravel_index(int(np.argmax(share)), share.shape)
         limb = self.walk.robot.legs[leg]
         return limb.name, limb.joint_names[joint]
+
+    @property
+    def speed(self) -> float:
+        """Of that joint, rad/s."""
+        leg, joint = self.tightest
+        row = [limb.name for limb in self.walk.robot.legs].index(leg)
+        return float(self.speeds[row, self.walk.robot.limbs[leg].joint_names.index(joint)])
 
     @property
     def model(self) -> str | None:
@@ -113,7 +123,9 @@ def _missed(motion: Motion) -> str:
     walk = motion.walk
     frame, leg = np.argwhere(~motion.reachable)[0]
     limb = walk.robot.legs[leg]
-    reason = solve_target(walk.robot, limb, motion.feet[frame, leg], frame="body").reason
+    found = solve_target(walk.robot, limb, motion.feet[frame, leg], frame="body")
+    # Of several ways to get there the first is the one that the leg walks with.
+    reason = ", ".join(found.poses[0].beyond) if found.poses else found.reason
     at = float(walk.phase(motion.t[frame]) % 1)
     where = "swing" if motion.swing[frame, leg] else "stance"
     return f"{limb.name} cannot follow at phase {at:.3f} ({motion.t[frame]:.3f} s, {where}): {reason}"
@@ -146,9 +158,11 @@ def _slower(walk: Walk, share: float, keep_period: bool) -> Walk:
 
 
 def _largest(possible: Callable[[float], bool]) -> float:
-    """The largest share of 1, to a millionth, that is possible; 0 where none is."""
-    low, high = 0.0, 1.0
-    for _ in range(20):
-        middle = (low + high) / 2
+    """The largest share of 1 that is possible, to a millionth of itself; 0 where none is."""
+    low, high = SMALLEST, 1.0
+    if not possible(low):
+        return 0.0
+    while high > low * (1 + 1e-6):
+        middle = float(np.sqrt(low * high))
         low, high = (middle, high) if possible(middle) else (low, middle)
     return low

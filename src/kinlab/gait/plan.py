@@ -22,6 +22,8 @@ STROKE_OF_OTHERS = 0.2
 LIFT = 0.1
 # Of a robot that steps without going anywhere, s.
 PERIOD_IN_PLACE = 1.0
+# Beyond these (m, m/s, rad/s; s a cycle) a number is a slip of the finger or of the unit.
+MOST, SLOWEST = 100.0, 1e6
 PAPERS_CURVES = {"krsri-hexapod": "line-sine", "eros-humanoid": "quarter-circle"}
 
 
@@ -62,14 +64,8 @@ def plan(
     Raises:
         UsageError: numbers that make no walk.
     """
-    for name, value in (("speed", forward), ("sideways", sideways), ("turn", turn), ("height", height)):
-        finite(value, f"a walk's {name}")
-    finite(rpy, "angles of the body")
-    for name, positive in (("stride", stride), ("period", period), ("lift", lift)):
-        if positive is not None and not 0 < positive < np.inf:
-            raise UsageError(f"a walk's {name} must be above 0, got {positive:g}")
-    if stride is not None and period is not None:
-        raise UsageError("stride and period give each other at a given speed: name one of them")
+    _check({"speed": forward, "speed sideways": sideways, "turn": turn, "height": height}, rpy)
+    _check_positive({"stride": stride, "period": period, "lift": lift})
     two_legged = robot.kind == "humanoid"
     for name, asked in (("heel strike", heel_strike), ("an experiment of eros", experiment is not None)):
         if asked and not two_legged:
@@ -90,6 +86,8 @@ def plan(
     fastest = float(np.hypot(*foot_velocities(walk).T).max())
     if period is None:
         period = stride / fastest if fastest else PERIOD_IN_PLACE
+    if period > SLOWEST:
+        raise UsageError(f"at this speed a cycle would take {period:.2g} s")
     walk = replace(walk, period=period)
     if not two_legged:
         return walk
@@ -113,3 +111,21 @@ def steady_sway(walk: Walk) -> float:
     z = walk.height - walk.robot.standing_feet[:, 2].min() + float(centre_of_mass(walk.robot, stands.q)[2])
     omega = 2 * np.pi / walk.period
     return float(np.abs(walk.neutral[:, 1]).mean() / (1 + omega**2 * z / GRAVITY))
+
+
+def _check(numbers: dict[str, float], rpy: ArrayLike) -> None:
+    finite(rpy, "angles of the body")
+    for name, value in numbers.items():
+        finite(value, f"a walk's {name}")
+        if abs(value) > MOST:
+            raise UsageError(
+                f"a walk's {name} must be within {MOST:g} in m, m/s or rad/s; is the unit right?"
+            )
+
+
+def _check_positive(numbers: dict[str, float | None]) -> None:
+    for name, value in numbers.items():
+        if value is not None and not 0 < value <= MOST:
+            raise UsageError(f"a walk's {name} must be above 0 and at most {MOST:g} m or s, got {value:g}")
+    if numbers["stride"] is not None and numbers["period"] is not None:
+        raise UsageError("stride and period give each other at a given speed: name one of them")

@@ -12,7 +12,8 @@ from kinlab.gait.limits import Limits, assess
 from kinlab.gait.schedule import Phase
 from kinlab.gait.stability import Least, Stability, least_margins, mass_note, stability, theory
 from kinlab.gait.swing import CURVES, Jumps, jumps
-from kinlab.gait.walk import Motion, Walk
+from kinlab.gait.walk import Walk
+from kinlab.kinematics.transforms import Array
 from kinlab.robots.target import angles_deg
 
 # Frames of a cycle in the JSON, and of each cycle of the walk whose slip is measured.
@@ -63,6 +64,22 @@ class GaitReport:
         legs = [leg.name for leg in self.walk.robot.legs]
         at = float(phase.start + (phase.end - phase.start) * share) * self.walk.period
         return stability(self.walk.at(at), [leg in phase.stance for leg in legs])
+
+    @cached_property
+    def trace(self) -> Array:
+        """The static margin at evenly spaced instants of a cycle (N,), metres."""
+        times = np.arange(4 * FRAMES) / (4 * FRAMES) * self.walk.period
+        return stability(self.walk.at(times)).static
+
+    @property
+    def support(self) -> dict[str, tuple[float, float]]:
+        """The smallest margins of centre of mass and zero moment point on one foot and on two, metres."""
+        found = {}
+        for name, feet in (("single", 1), ("double", 2)):
+            phases = [least for least in self.least if len(least.phase.stance) == feet]
+            if phases:
+                found[name] = (min(least.static for least in phases), min(least.zmp for least in phases))
+        return found
 
     @property
     def jumps(self) -> dict[str, Jumps]:
@@ -120,18 +137,23 @@ class GaitReport:
                 "zmp_mm": min(found.zmp for found in self.least) * 1000,
                 "theory_mm": None if self.theory is None else self.theory * 1000,
             },
+            "support": {
+                name: {"static_mm": static * 1000, "zmp_mm": zmp * 1000}
+                for name, (static, zmp) in self.support.items()
+            },
             "slip_mm": self.slip * 1000,
             "limits": {
                 "leg": leg,
                 "joint": joint,
                 "model": self.limits.model,
+                "deg_s": float(np.degrees(self.limits.speed)),
                 "used": self.limits.used,
                 "fastest_mm_s": None if fastest is None else fastest * 1000,
             },
             "jumps": {name: _jumps_json(jump) for name, jump in self.jumps.items()},
             "landing": {name: _landing_json(found) for name, found in self.landings.items()},
             "events": [self._event_json(found) for found in self.least],
-            "frames": _frames_json(walk.at(np.arange(frames) / frames * walk.period)),
+            "frames": _frames_json(stability(walk.at(np.arange(frames) / frames * walk.period))),
             "notes": list(self.notes),
         }
 
@@ -180,8 +202,15 @@ def _landing_json(found: Landing) -> dict[str, float]:
     }
 
 
-def _frames_json(motion: Motion) -> list[dict[str, Any]]:
+def _frames_json(state: Stability) -> list[dict[str, Any]]:
+    motion = state.motion
     legs = motion.walk.robot.legs
+    margins = {
+        "stability_margin_mm": state.static,
+        "longitudinal_margin_mm": state.longitudinal,
+        "energy_margin_mm": state.energy,
+        "zmp_margin_mm": state.zmp_margin,
+    }
     return [
         {
             "t_s": float(motion.t[i]),
@@ -191,6 +220,8 @@ def _frames_json(motion: Motion) -> list[dict[str, Any]]:
             },
             "angles_deg": {leg.name: angles_deg(leg, motion.q[i, k]) for k, leg in enumerate(legs)},
             "swing": [leg.name for k, leg in enumerate(legs) if motion.swing[i, k]],
+            # A pacing robot's side has no edge ahead of the centre of mass, nor behind it.
+            **{name: None if np.isnan(v[i]) else float(v[i]) * 1000 for name, v in margins.items()},
         }
         for i in range(len(motion.t))
     ]

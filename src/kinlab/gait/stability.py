@@ -7,9 +7,10 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import ArrayLike
 
+from kinlab.gait.motion import Motion
 from kinlab.gait.schedule import Phase, wave_gait, wave_margin
 from kinlab.gait.support import energy_margin, margins
-from kinlab.gait.walk import Motion, Walk
+from kinlab.gait.walk import Walk
 from kinlab.kinematics.transforms import Array, rotation
 from kinlab.robots import Robot
 

@@ -14,10 +14,12 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike
 
+from kinlab.errors import UsageError
+from kinlab.gait.motion import Motion
 from kinlab.gait.pace import Pace, fade
 from kinlab.gait.schedule import Gait
 from kinlab.gait.swing import Curve
-from kinlab.kinematics.transforms import Array, homogeneous, rotation, rpy_to_rotation
+from kinlab.kinematics.transforms import Array, rotation, rpy_to_rotation
 from kinlab.robots import Robot
 from kinlab.robots.body import legs_ik
 
@@ -114,7 +116,12 @@ class Walk:
         """The same walk over `distance` metres of the body's way (rad, where it only turns), from standing and to it.
 
         A robot of two legs sways for one cycle before its first step, and for one after its last.
+
+        Raises:
+            UsageError: a distance that is not a number from 0 up.
         """
+        if not 0 <= distance < np.inf:
+            raise UsageError(f"a walk's distance must be 0 or more, got {distance:g}")
         pace = distance / (self.speed or abs(self.turn) or 1 / self.period)
         begin = self.period if self.sway else 0.0
         return replace(self, pace=Pace(begin, self.period, pace))
@@ -162,14 +169,12 @@ class Walk:
         out[..., 2] = points[..., 2]
         return out
 
-    def at(self, t: ArrayLike) -> "Motion":
+    def at(self, t: ArrayLike) -> Motion:
         """Feet and joint angles at times `t` (...), s."""
         t = np.asarray(t, float)
         step = _steps(self, t)
         level = self.carried(step.before, self.neutral)
-        legs = np.broadcast_to(np.arange(len(self.lags)), step.swing.shape)[step.swing]
-        if legs.size:
-            level[step.swing] = _airborne(self, step, self.neutral[legs])
+        level[step.swing] = _airborne(self, step, level)
         place = np.zeros((*t.shape, 3))
         place[..., 1] = self.sway_at(t)
         place[..., 2] = self.height - self.robot.standing_feet[:, 2].min()
@@ -179,66 +184,6 @@ class Walk:
         soles = _soles(self, step) if len(self.robot.legs[0].joints) >= 6 else None
         pose = legs_ik(self.robot, feet, self.attitude, soles)
         return Motion(self, t, step.swing, step.hold, level, place, feet, pose.q, pose.reachable, soles)
-
-
-@dataclass(frozen=True, eq=False, repr=False)
-class Motion:
-    """A walk at times (...), for its robot's L legs of n joints.
-
-    Attributes:
-        walk: whose.
-        t: the times, s.
-        swing: which legs are in the air (..., L).
-        hold: the number of the foothold that a leg stands on, or comes from (..., L).
-        level: the feet in the level frame (..., L, 3), metres.
-        place: of the body in the level frame (..., 3), metres.
-        feet: in the body frame (..., L, 3), metres.
-        q: joint angles (..., L, n) in rad, NaN where a foot is out of reach.
-        reachable: for each leg (..., L).
-        soles: attitudes of the soles in the level frame (..., L, 3, 3); None for legs that cannot choose them.
-    """
-
-    walk: Walk
-    t: Array
-    swing: Array
-    hold: Array
-    level: Array
-    place: Array
-    feet: Array
-    q: Array
-    reachable: Array
-    soles: Array | None
-
-    def __repr__(self) -> str:
-        return f"<Motion of {self.walk.robot.name}: {self.t.size} frames>"
-
-    @cached_property
-    def body(self) -> Array:
-        """Poses of the body in the ground frame (..., 4, 4), metres."""
-        travel = self.walk.travel(self.t)
-        turned = rotation((0, 0, 1), self.walk.turn * travel)
-        return homogeneous(turned @ self.walk.attitude, self.walk.carried(travel, self.place))
-
-    @cached_property
-    def ground(self) -> Array:
-        """The feet in the ground frame (..., L, 3), metres: where the joint angles put them."""
-        legs = self.walk.robot.legs
-        tips = np.stack([leg.fk(self.q[..., i, :], frame="body") for i, leg in enumerate(legs)], axis=-3)
-        return np.asarray((self.body[..., None, :, :] @ tips)[..., :3, 3])
-
-    def slip(self) -> float:
-        """The farthest that a standing foot moves over the ground in one stance, metres; frames (N,) in time order."""
-        farthest = 0.0
-        for leg in range(self.swing.shape[-1]):
-            stands = np.flatnonzero(~self.swing[:, leg])
-            if not stands.size:
-                continue
-            holds, places = self.hold[stands, leg], self.ground[stands, leg]
-            first = np.maximum.accumulate(
-                np.where(np.diff(holds, prepend=-1) != 0, np.arange(len(stands)), 0)
-            )
-            farthest = max(farthest, float(np.linalg.norm(places - places[first], axis=-1).max()))
-        return farthest
 
 
 @dataclass(frozen=True)
@@ -273,7 +218,7 @@ def _steps(walk: Walk, t: Array) -> _Steps:
     moves = following > hold
     progress = progress[moves[swing]]
     # However many steps are not taken, the first foothold and the last are one each.
-    number = np.where(hold == 0.0, FIRST, np.where(hold == pace.way, LAST, count))
+    number = np.where(hold == 0.0, FIRST, np.where(hold == pace.travel(pace.end), LAST, count))
     swing = swing & moves
     now = pace.travel(t)[..., None]
     lifted = hold - pace.travel(landed + duty * period)
@@ -292,20 +237,20 @@ def _hold(walk: Walk, landed: Array) -> Array:
     return np.where(stepped, middle, 0.0)
 
 
-def _airborne(walk: Walk, step: _Steps, neutral: Array) -> Array:
-    """Places (k, 3) of the swinging feet, level frame."""
+def _airborne(walk: Walk, step: _Steps, stood: Array) -> Array:
+    """Places (k, 3) of the swinging feet, level frame; had they stayed down, they would be at `stood` (..., L, 3)."""
     if walk.curve.over == "ground":
-        start, end = step.before[step.swing], step.after[step.swing]
+        legs = np.nonzero(step.swing)[-1]
+        first, last = stood[step.swing], walk.carried(step.after[step.swing], walk.neutral[legs])
     else:
-        start, end = (np.broadcast_to(v, step.swing.shape)[step.swing] for v in (step.lifted, step.landed))
-    along = walk.curve.along.value(step.progress)
-    if walk.turn == 0.0:
-        places = walk.carried(start + (end - start) * along, neutral)
-    else:
-        first = walk.carried(start, neutral)
-        places = first + (walk.carried(end, neutral) - first) * along[:, None]
+        # As the body saw them at lift-off, and will at touch-down.
+        first, last = (
+            np.broadcast_to(walk.carried(np.asarray(travel), walk.neutral), stood.shape)[step.swing]
+            for travel in (step.lifted, step.landed)
+        )
+    places = first + (last - first) * walk.curve.along.value(step.progress)[:, None]
     places[:, 2] += walk.lift * walk.curve.height.value(step.progress)
-    return places
+    return np.asarray(places)
 
 
 def _soles(walk: Walk, step: _Steps) -> Array:

@@ -8,7 +8,7 @@ import numpy as np
 
 from kinlab.kinematics.transforms import Array, homogeneous, rotation
 from kinlab.names import suggestion
-from kinlab.robots.model import Joint, Limb, Robot
+from kinlab.robots.model import Joint, Limb, Robot, frozen
 from kinlab.robots.provenance import KINDS, UNSOURCED, Dimension, Provenance
 from kinlab.robots.schema import (
     Area,
@@ -126,7 +126,7 @@ def _limbs(name: str, group: Group, models: dict[str, ServoModel]) -> list[Limb]
     stance = None
     if group.stance is not None:
         point, source = _point(group.stance, (name, "stance"))
-        stance = point / 1000
+        stance = frozen(point / 1000)
         dimensions.append(Dimension("stance", tuple(point.tolist()), "mm", source))
     sole = None
     if group.sole is not None:
@@ -143,7 +143,7 @@ def _limbs(name: str, group: Group, models: dict[str, ServoModel]) -> list[Limb]
     for member_name, member in group.members.items():
         place = (name, "members", member_name)
         at, source = _point(member.at, (*place, "at"))
-        mount = homogeneous(rotation((0, 0, 1), np.radians(member.turn)), at / 1000)
+        mount = frozen(homogeneous(rotation((0, 0, 1), np.radians(member.turn)), at / 1000))
         axes = member.paper_axes or group.paper_axes
         axes_place = (*place, "paper_axes") if member.paper_axes else (name, "paper_axes")
         limbs.append(
@@ -265,6 +265,8 @@ def provenance(spec: Sourced, place: tuple[Any, ...]) -> Provenance:
     if len(given) > 1:
         names = " and ".join(kind for kind, _ in given)
         raise SpecError(place, f"a figure has one source, not {names} at once")
+    if given and not given[0][1].strip():
+        raise SpecError((*place, given[0][0]), "a source needs words: the place, or the reason")
     return Provenance(*given[0]) if given else UNSOURCED  # type: ignore[arg-type]
 
 
@@ -319,4 +321,4 @@ def _paper_axes(spec: PaperAxes | None, place: tuple[Any, ...]) -> tuple[Array, 
     columns = [_axis(getattr(spec, paper), place) for paper in "xyz"]
     if len({axis[-1] for axis in (spec.x, spec.y, spec.z)}) != 3:
         raise SpecError(place, "the paper's three axes must lie along three different axes of the limb")
-    return np.array(columns).T, provenance(spec, place)
+    return frozen(np.array(columns).T), provenance(spec, place)

@@ -216,13 +216,13 @@ def _fails(data: Any, kind: Any, message: str) -> bool:
 _STRUCTS = {
     "at": schema.Point, "body": schema.Length, "centre": schema.Point, "joints": schema.JointSpec,
     "lengths": schema.Length, "limits": schema.Range, "mass": schema.Mass, "masses": schema.Mass,
-    "members": schema.Member, "mountings": schema.Mounting, "paper_axes": schema.PaperAxes,
-    "sole": schema.Area, "stance": schema.Point, "standby": schema.Current,
+    "members": schema.Member, "mountings": schema.Mounting, "paper_axes": schema.PaperAxes, "sole": schema.Area,
+    "stance": schema.Point, "standby": schema.Current,
 }  # fmt: skip
 
 
 def _fields(top: type[Any], place: Place) -> tuple[str, ...]:
-    """The fields of what stands at `place` of a struct of the kind `top`."""
+    """The fields of what stands at `place`, below a struct of the kind `top`."""
     kind: Any = next((_STRUCTS[k] for k in reversed(place) if k in _STRUCTS), top)
     return tuple(kind.__struct_fields__)
 

@@ -39,6 +39,12 @@ def load_robots(file: str | os.PathLike[str] | None = None) -> dict[str, Robot]:
     return {name: source.robot(name) for name in source.names()}
 
 
+def shipped_robots() -> dict[str, Robot]:
+    """KinLab's own robots by name, whatever `$KINLAB_ROBOTS` says."""
+    shelf = _Shelf(_shipped_document())
+    return {name: shelf.robot(name) for name in shelf.names()}
+
+
 def robot_names(file: str | os.PathLike[str] | None = None) -> list[str]:
     """The names that `load_robot` takes, without building the robots."""
     return _Shelf.of(file).names()

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -15,10 +15,19 @@ from kinlab.names import resolve
 from kinlab.robots.provenance import UNSOURCED, Dimension, Provenance
 from kinlab.robots.servo import Servo
 
+if TYPE_CHECKING:
+    from kinlab.robots.inverse import Inverse
+
 FRAMES = ("limb", "body", "paper")
 # A solution this far (rad) outside a limit is on it: where a limb is stretched or folded, the rounding
 # of a target's last digit turns the joints by up to about 1e-7.
 LIMIT_SLACK = 2e-7
+
+
+def frozen(values: Array) -> Array:
+    """The array itself, which can no longer be written to."""
+    values.flags.writeable = False
+    return values
 
 
 @dataclass(frozen=True)
@@ -81,12 +90,12 @@ class Limb:
     @cached_property
     def axes(self) -> Array:
         """The joints' axes, (n, 3)."""
-        return np.array([j.axis for j in self.joints])
+        return frozen(np.array([j.axis for j in self.joints]))
 
     @cached_property
     def links(self) -> Array:
         """The links, (n, 3), in metres."""
-        return np.array([j.link for j in self.joints])
+        return frozen(np.array([j.link for j in self.joints]))
 
     @cached_property
     def limits(self) -> Array:
@@ -99,7 +108,7 @@ class Limb:
                 ends = np.radians([joint.servo.sign * (edge - joint.servo.zero_deg) for edge in (low, high)])
                 lower, upper = max(lower, ends.min()), min(upper, ends.max())
             both.append((lower, upper))
-        return np.array(both).T
+        return frozen(np.array(both).T)
 
     @cached_property
     def closed_form(self) -> ClosedForm | None:
@@ -134,7 +143,7 @@ class Limb:
         """The geometric Jacobian (..., 6, n) in the limb frame: m/rad, then rad/rad."""
         return chain.jacobian(self.axes, self.links, self._angles(q))
 
-    def ik(self, target: ArrayLike, rotation: ArrayLike | None = None) -> "Any":
+    def ik(self, target: ArrayLike, rotation: ArrayLike | None = None) -> "Inverse":
         """Joint angles for the tip at `target` (..., 3), metres, limb frame: see `kinlab.robots.inverse`.
 
         Args:
@@ -225,7 +234,13 @@ class Robot:
         return inverse(np.stack([leg.mount for leg in self.legs]))
 
     def to_legs(self, feet: Array) -> Array:
-        """Feet (..., L, 3) from the body frame, each into the limb frame of its leg, metres."""
+        """Feet (..., L, 3) from the body frame, each into the limb frame of its leg, metres.
+
+        Raises:
+            UsageError: not one foot for each leg.
+        """
+        if feet.shape[-2:] != (len(self.legs), 3):
+            raise UsageError(f"{self.name} has {len(self.legs)} legs, got feet of shape {feet.shape}")
         turn, shift = self._leg_map
         # One product for all legs at once is several times faster than one for each foot.
         local = (feet.reshape(-1, len(shift)) @ turn + shift).reshape(feet.shape)
