@@ -16,7 +16,7 @@ from kinlab.robots.target import angles_deg, read_servos, solve_target
 from kinlab.units import check_place, finite
 
 
-@dataclass(frozen=True, repr=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class BodyPose:
     """A pose of the body, or many (...), and what its L legs of n joints do for it.
 
@@ -96,7 +96,7 @@ def legs_ik(
     )
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Stand:
     """What `kinlab body` shows: the robot, the body's displacement (3,) in metres and rpy (3,) in rad, the legs."""
 

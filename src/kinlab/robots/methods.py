@@ -52,7 +52,7 @@ def attempt_json(limb: Limb, attempt: numeric.Solution) -> dict[str, Any]:
     }
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class MethodComparison:
     """One target through every numeric method, beside the closed form.
 

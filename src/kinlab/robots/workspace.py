@@ -16,7 +16,7 @@ SAMPLES = 20_000
 MOST_SAMPLES = 2_000_000
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Section:
     """A cut through the workspace.
 
@@ -46,7 +46,7 @@ class Section:
         }
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Workspace:
     """What a limb reaches.
 
