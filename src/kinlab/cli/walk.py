@@ -13,7 +13,6 @@ from kinlab.cli.command import (
     RobotsOption,
     command_app,
     print_json,
-    warn,
 )
 
 if TYPE_CHECKING:
@@ -170,7 +169,10 @@ def _walked(robot: Any, errands: Sequence["Errand"], port: str | None, baud: int
 def _finished(result: "WalkResult") -> "WalkResult":
     """Say on standard error what a person must know about the servos."""
     if result.unconfirmed:
-        warn(f"torque off is not confirmed by servo {', '.join(map(str, result.unconfirmed))}")
+        typer.echo(
+            f"kinlab: torque off is not confirmed by servo {', '.join(map(str, result.unconfirmed))}",
+            err=True,
+        )
     return result
 
 

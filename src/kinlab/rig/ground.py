@@ -9,8 +9,8 @@ from numpy.typing import ArrayLike
 
 from kinlab.dynamixel import Chain
 from kinlab.dynamixel.servo.breaking import motor_of
+from kinlab.gait import Motion
 from kinlab.gait.stability import GRAVITY, centre_of_mass
-from kinlab.gait.walk import Motion
 from kinlab.kinematics.transforms import Array
 from kinlab.rig.rig import Rig
 
