@@ -146,7 +146,7 @@ def errand_of_the_panel():
 
 def test_keys_change_the_speed(errand_of_the_panel):
     panel, _ = errand_of_the_panel
-    typed = iter(["+", "\x1b[A", "-", "x", "q", "+"])
+    typed = iter(["++", "\x1b[A", "-", "-x", "q", "+"])
     panel._listen(lambda: next(typed))
     assert panel._throttle.tempo == pytest.approx(1.05)
     assert panel._throttle.stopped

@@ -35,6 +35,11 @@ RobotArgument = Annotated[
 ]
 LimbOption = Annotated[str | None, typer.Option("--limb", "-l", help="The limb. Default: the robot's first.")]
 FrameOption = Annotated[str, typer.Option("--frame", "-f", help="Axes of the numbers: limb, body or paper.")]
+GaitOption = Annotated[
+    str | None, typer.Option("--gait", "-g", metavar="NAME", help="Default: the first of the robot's kind.")
+]
+SpeedOption = Annotated[float, typer.Option("--speed", metavar="MM_S", help="Forwards, in mm/s.")]
+TurnOption = Annotated[float, typer.Option("--turn", metavar="DEG_S", help="To the left, in deg/s.")]
 JsonOption = Annotated[
     bool, typer.Option("--json", help="One JSON document on standard output, nothing else.")
 ]

@@ -6,10 +6,13 @@ from typing import Annotated, Any
 import typer
 
 from kinlab.cli.command import (
+    GaitOption,
     JsonOption,
     NumericCommand,
     RobotArgument,
     RobotsOption,
+    SpeedOption,
+    TurnOption,
     command_app,
     print_json,
 )
@@ -20,13 +23,10 @@ app = command_app()
 @app.command(cls=NumericCommand, epilog="Example: kinlab gait krsri-hexapod --gait wave --speed 20 --phase 1")
 def gait(
     robot: RobotArgument,
-    name: Annotated[
-        str | None,
-        typer.Option("--gait", "-g", metavar="NAME", help="Default: the first of the robot's kind."),
-    ] = None,
-    speed: Annotated[float, typer.Option(metavar="MM_S", help="Forwards, in mm/s.")] = 20.0,
+    name: GaitOption = None,
+    speed: SpeedOption = 20.0,
     sideways: Annotated[float, typer.Option(metavar="MM_S", help="To the left, in mm/s.")] = 0.0,
-    turn: Annotated[float, typer.Option(metavar="DEG_S", help="To the left, in deg/s.")] = 0.0,
+    turn: TurnOption = 0.0,
     stride: Annotated[float | None, typer.Option(metavar="MM", help="Way per cycle, in mm.")] = None,
     period: Annotated[
         float | None, typer.Option(metavar="S", help="Of a cycle, in s; instead of the stride.")

@@ -7,10 +7,13 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from kinlab.cli.command import (
+    GaitOption,
     JsonOption,
     NumericCommand,
     RobotArgument,
     RobotsOption,
+    SpeedOption,
+    TurnOption,
     command_app,
     print_json,
 )
@@ -31,12 +34,9 @@ app = command_app()
 )
 def walk(
     robot: RobotArgument,
-    name: Annotated[
-        str | None,
-        typer.Option("--gait", "-g", metavar="NAME", help="Default: the first of the robot's kind."),
-    ] = None,
-    speed: Annotated[float, typer.Option(metavar="MM_S", help="Forwards, in mm/s.")] = 20.0,
-    turn: Annotated[float, typer.Option(metavar="DEG_S", help="To the left, in deg/s.")] = 0.0,
+    name: GaitOption = None,
+    speed: SpeedOption = 20.0,
+    turn: TurnOption = 0.0,
     distance: Annotated[
         float, typer.Option(metavar="MM", help="How far, in mm; with --speed 0 it turns once round.")
     ] = 1000.0,
@@ -118,7 +118,7 @@ def walk(
         from kinlab.cli.walk_tables import show_walk
 
         show_walk(result)
-    if not result.complete:
+    if not (result.complete or live):
         raise typer.Exit(INTERRUPTED)
 
 

@@ -57,10 +57,12 @@ class Panel:
 
     def _listen(self, read: Callable[[], str]) -> None:
         while key := read():
-            if key in ("q", "Q"):
-                self._throttle.stopped = True
-                return
-            self._throttle.change(KEYS.get(key, 0))
+            # Keys pressed quickly come in one piece.
+            for pressed in [key] if key.startswith("\x1b") else key:
+                if pressed in ("q", "Q"):
+                    self._throttle.stopped = True
+                    return
+                self._throttle.change(KEYS.get(pressed, 0))
 
     def _facts(self, sample: "Sample") -> dict[str, str]:
         order = self._errand.order
@@ -86,10 +88,6 @@ class Panel:
         facts = Table(box=None, show_header=False, padding=(0, 2))
         for name, fact in self._facts(sample).items():
             facts.add_row(name, fact)
+        facts.add_row("keys", "+ faster, - slower, q stops")
         walk = self._errand.walk
-        return RichPanel(
-            facts,
-            title=f"{walk.robot.name}, {walk.gait.name}",
-            subtitle="+ - speed   q stops   current is estimated from load",
-            expand=False,
-        )
+        return RichPanel(facts, title=f"{walk.robot.name}, {walk.gait.name}", expand=False)

@@ -105,14 +105,21 @@ def _possible(data: dict[str, Any]) -> str:
     return text if fastest is None else f"{text}; at this stride {fastest:.1f} mm/s would need all of it"
 
 
+ASKED = {
+    "speed_mm_s": ("speed", "mm/s"),
+    "turn_deg_s": ("turn", "deg/s"),
+    "distance_mm": ("way", "mm"),
+    "rate_hz": ("rate", "Hz"),
+}
+
+
 def show_sweep(robot: str, results: Sequence[WalkResult]) -> None:
-    """One line for each walk."""
+    """One line for each walk: what was varied, and what came of it."""
+    rows = [result.row() for result in results]
+    varied = [key for key in ASKED if len({row[key] for row in rows}) > 1] or ["speed_mm_s"]
     found = table(
         f"{robot}, {results[0].errand.order.gait.name}",
-        ("speed", "mm/s"),
-        ("turn", "deg/s"),
-        ("way", "mm"),
-        ("rate", "Hz"),
+        *(ASKED[key] for key in varied),
         ("time", "s"),
         ("energy", "Wh"),
         ("steady", "Wh/m"),
@@ -120,10 +127,9 @@ def show_sweep(robot: str, results: Sequence[WalkResult]) -> None:
         ("used", "%"),
         ("lost", ""),
     )
-    for result in results:
-        row = result.row()
+    for row in rows:
         found.add_row(
-            *(number(row[key] or 0.0) for key in ("speed_mm_s", "turn_deg_s", "distance_mm", "rate_hz")),
+            *(number(row[key] or 0.0) for key in varied),
             f"{row['duration_s']:.1f}",
             _plain(row["wh"], 4),
             _plain(row["wh_per_m"], 4),
@@ -131,17 +137,20 @@ def show_sweep(robot: str, results: Sequence[WalkResult]) -> None:
             _share(row["joint_speed_used"]),
             number(row["lost"] or 0),
         )
-    show(found, "", sentences(*(("-", note) for note in results[0].notes)))
+    used = ("used", "of the servos' speed without load, by the joint that needs most of it")
+    show(found, "", sentences(used, *(("-", note) for note in results[0].notes)))
 
 
 def show_comparison(answer: Comparison) -> None:
     """The curves side by side, what is fitted to them, where they cross, why they differ."""
     rig, *papers = answer.sources
     gaits = list(rig.energy)
+    heads = [f"{name} {gaits[0]}" if gait == gaits[0] else gait for name in _short(answer) for gait in gaits]
     found = table(
-        f"{answer.robot.name}: Wh per metre", ("speed", "mm/s"),
-        *((f"{source_name} {gait}", "") for source_name in _short(answer) for gait in gaits),
-    )  # fmt: skip
+        f"{answer.robot.name}: Wh per metre; the rig is KinLab's, the others are the paper's",
+        ("mm/s", ""),
+        *((head, "") for head in heads),
+    )
     printed = [{row["speed_mm_s"]: row for row in source.to_json()["rows"]} for source in papers]
     for row in rig.to_json()["rows"]:
         cells = [_plain(row[f"{gait}_wh_per_m"], 4) for gait in gaits]
@@ -156,8 +165,8 @@ def show_comparison(answer: Comparison) -> None:
 
 
 def _short(answer: Comparison) -> list[str]:
-    papers = [source.label.rpartition(" measured on ")[2] for source in answer.sources[1:]]
-    return ["rig", *(name.replace("ground", "paper") for name in papers)]
+    grounds = [source.label.rpartition(" measured on ")[2] for source in answer.sources[1:]]
+    return ["rig", *(ground.removesuffix(" ground") for ground in grounds)]
 
 
 def _show_source(source: Curves) -> None:

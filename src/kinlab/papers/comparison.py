@@ -19,8 +19,10 @@ WHY = (
     "rig was fitted to the paper",
     "no length of a leg, no mass, no stroke and no lift is printed: those of the rig are assumed, and with them the "
     "torque at every joint",
-    "the rig knows the servos' standby current, friction, copper losses and the work of lifting; it does not know the "
-    "controller, slip on the ground, or what legs push against each other",
+    "the rig knows the servos' standby current, copper losses, friction and back-EMF; it does not know the "
+    "controller, the weight of swinging legs, slip on the ground, or what legs push against each other",
+    "in the rig the wave costs less by the second, since five legs share the weight and copper losses go with the "
+    "square of the load, and more by the metre, since each leg swings in a sixth of the cycle and not in half of it",
 )
 
 

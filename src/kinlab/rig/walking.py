@@ -16,8 +16,8 @@ from kinlab.rig.rig import Rig
 from kinlab.robots import Robot
 from kinlab.units import finite
 
-# Ticks that one walk may have: more than a day at the usual rate is a slip of the finger.
-MOST_TICKS = 4_000_000
+# Ticks that a walk, or a sweep, may have: all of them are kept, and an hour at the usual rate is enough.
+MOST_TICKS = 200_000
 MOST_RUNS = 1000
 FASTEST_RATE = 1000.0
 
@@ -79,10 +79,7 @@ def prepare(order: Order) -> Errand:
     if not order.speed and not order.turn:
         raise UsageError("a walk needs a speed or a turn")
     walk = forever.over(order.way)
-    if walk.duration * order.rate > MOST_TICKS:
-        raise UsageError(
-            f"this walk would take {walk.duration / 3600:.0f} h; a shorter distance or a higher speed, please"
-        )
+    _check_length([walk.duration], order.rate)
     return Errand(order, walk, assess(forever))
 
 
@@ -160,7 +157,18 @@ def sweep(order: Order, name: str, values: list[float]) -> list[Errand]:
     """
     name = resolve(name, QUANTITIES, "quantity to sweep")
     changes: list[dict[str, Any]] = [{name: value * QUANTITIES[name]} for value in values]
-    return [prepare(replace(order, **change)) for change in changes]
+    errands = [prepare(replace(order, **change)) for change in changes]
+    _check_length([errand.walk.duration for errand in errands], max(errand.order.rate for errand in errands))
+    return errands
+
+
+def _check_length(durations: list[float], rate: float) -> None:
+    whole = sum(durations)
+    if whole * rate > MOST_TICKS:
+        raise UsageError(
+            f"this would take {whole / 3600:.1f} h of walking; with {rate:g} commands a second at most "
+            f"{MOST_TICKS / rate / 3600:.1f} h are kept"
+        )
 
 
 def check_steady(errand: Errand) -> None:
