@@ -120,7 +120,6 @@ def show_sweep(robot: str, results: Sequence[WalkResult]) -> None:
     found = table(
         f"{robot}, {results[0].errand.order.gait.name}",
         *(ASKED[key] for key in varied),
-        ("time", "s"),
         ("energy", "Wh"),
         ("steady", "Wh/m"),
         ("error", "mm"),
@@ -130,7 +129,6 @@ def show_sweep(robot: str, results: Sequence[WalkResult]) -> None:
     for row in rows:
         found.add_row(
             *(number(row[key] or 0.0) for key in varied),
-            f"{row['duration_s']:.1f}",
             _plain(row["wh"], 4),
             _plain(row["wh_per_m"], 4),
             _plain(row["mean_error_mm"]),

@@ -22,7 +22,7 @@ WHY = (
     "the rig knows the servos' standby current, copper losses, friction and back-EMF; it does not know the "
     "controller, the weight of swinging legs, slip on the ground, or what legs push against each other",
     "in the rig the wave costs less by the second, since five legs share the weight and copper losses go with the "
-    "square of the load, and more by the metre, since each leg swings in a sixth of the cycle and not in half of it",
+    "square of the load, and more by the metre, since at the same stroke a swing has a fifth of the tripod's time",
 )
 
 
