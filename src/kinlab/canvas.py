@@ -4,7 +4,7 @@ A dot is as wide as high on a terminal whose cells are twice as high as wide, so
 both directions and nothing looks stretched.
 """
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable
 
 _DOTS = ((0x01, 0x08), (0x02, 0x10), (0x04, 0x20), (0x40, 0x80))
 _ASCII_LINE = "*"
@@ -41,8 +41,9 @@ class Canvas:
         (x0, y0), (x1, y1) = self._dot(start), self._dot(end)
         steps = max(int(max(abs(x1 - x0), abs(y1 - y0))), 1)
         for i in range(steps + 1):
-            if not dashed or i % 6 < 3:
-                self._set(round(x0 + (x1 - x0) * i / steps), round(y0 + (y1 - y0) * i / steps), role)
+            if dashed and i % 6 >= 3:
+                continue
+            self._set(round(x0 + (x1 - x0) * i / steps), round(y0 + (y1 - y0) * i / steps), role)
 
     def fill(self, inside: Callable[[float, float], bool], role: str) -> None:
         """Every dot whose place (x, y) is `inside`."""
@@ -123,11 +124,3 @@ class Canvas:
         if 0 <= row < self.rows and 0 <= column < self.columns:
             self._bits[row][column] |= _DOTS[y % 4][x % 2]
             self._roles[row, column] = role
-
-
-def beside(left: Sequence[str], right: Sequence[str], gap: int = 2) -> list[str]:
-    """Two blocks of text next to each other."""
-    width = max(map(len, left), default=0)
-    count = max(len(left), len(right))
-    rows = zip([*left, *[""] * (count - len(left))], [*right, *[""] * (count - len(right))], strict=True)
-    return [f"{a:<{width}}{' ' * gap}{b}".rstrip() for a, b in rows]

@@ -16,6 +16,7 @@ COMMANDS = {
     "fk": "joint angles as the position and attitude of the tip",
     "body": "every leg's joints for a pose of the body over fixed feet",
     "workspace": "how far a limb reaches, and where it cannot",
+    "gait": "a gait phase by phase: which legs swing, which carry, how safely, how fast at most",
     "packet": "Dynamixel packets byte by byte, at a prompt, on an emulated chain or a real bus",
     "emulate": "an emulated servo chain for other programs, on a pty or TCP",
     "bus": "scan, read, write and monitor the servos on a port",
@@ -49,7 +50,7 @@ app = typer.Typer(
     cls=LazyGroup,
     rich_markup_mode=None,
     pretty_exceptions_enable=False,
-    no_args_is_help=True,
+    invoke_without_command=True,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
 
@@ -62,6 +63,7 @@ def _version(wanted: bool) -> None:
 
 @app.callback(epilog="Start with: kinlab tour")
 def _root(
+    ctx: typer.Context,
     version: Annotated[
         bool, typer.Option("--version", "-V", callback=_version, is_eager=True, help="Show the version.")
     ] = False,
@@ -71,6 +73,8 @@ def _root(
     Pick a robot, give a target in millimetres, and see the joint angles, the
     servo ticks, and how far off the foot lands.
     """
+    if ctx.invoked_subcommand is None:
+        typer.echo(ctx.get_help())
 
 
 kinlab = typer.main.get_command(app)

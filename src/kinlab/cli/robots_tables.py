@@ -81,7 +81,9 @@ def _joints(name: str, limb: dict[str, Any], notes: Footnotes) -> Table:
     )
     for joint in limb["joints"]:
         low, high = joint["limits_deg"]
-        mass = "not printed" if joint["mass_g"] is None else number(joint["mass_g"])
+        mass = Text("not printed")
+        if joint["mass"] is not None:
+            mass = Text(f"{number(joint['mass_g'])} ").append(notes.mark(joint["mass"]))
         link = place(joint["link_mm"])
         found.add_row(
             joint["joint"],

@@ -46,7 +46,10 @@ def table(title: str, *columns: str | tuple[str, str]) -> Table:
             name, unit = column
             found.add_column(Text(f"{name} [{unit}]" if unit else name), justify="right", no_wrap=True)
         else:
-            found.add_column(column, overflow="fold", min_width=min(len(column), 12))
+            # A name that stands first is what a reader looks for: it is not folded.
+            found.add_column(
+                column, overflow="fold", no_wrap=not found.columns, min_width=min(len(column), 12)
+            )
     return found
 
 
@@ -63,6 +66,11 @@ def sentences(*rows: tuple[str, str]) -> Table:
 def place(values: Any, digits: int = 3) -> str:
     """A place for reading: `(75, 10, -46)`, without zeros that say nothing."""
     return "(" + ", ".join(number(v, digits) for v in values) + ")"
+
+
+def fixed(value: float, digits: int) -> str:
+    """A number with exactly `digits` decimals, without a minus before nothing."""
+    return f"{round(value, digits) + 0.0:.{digits}f}"
 
 
 def number(value: float, digits: int = 3) -> str:

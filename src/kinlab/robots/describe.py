@@ -40,6 +40,7 @@ def _limb(limb: Limb) -> dict[str, Any]:
                 "axis": list(joint.axis),
                 "link_mm": [v * 1000 for v in joint.link],
                 "mass_g": None if joint.mass is None else joint.mass * 1000,
+                "mass": None if joint.mass is None else _source(joint.mass_source),
                 "limits_deg": [float(np.degrees(joint.lower)), float(np.degrees(joint.upper))],
                 "limits": _source(joint.limit_source),
                 "servo": None

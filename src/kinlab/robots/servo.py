@@ -62,10 +62,7 @@ class Servo:
     source: Provenance
 
     def degrees(self, joint: ArrayLike) -> Array:
-        """Servo angles, in degrees, for joint angles in rad, brought into the servo's turn where a turn fits.
-
-        >>> # Table 1 of the xl430-hexapod paper: a coxa at 7.59 deg is a servo at 82.40.
-        """
+        """Servo angles, in degrees, for joint angles in rad, brought into the servo's turn where a turn fits."""
         angle = self.zero_deg + self.sign * np.degrees(np.asarray(joint, float))
         low, high = self.model.range_deg
         centre = (low + high) / 2
