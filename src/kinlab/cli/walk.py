@@ -147,7 +147,8 @@ def _one(errand: "Errand", port: str | None, baud: int, live: bool) -> "WalkResu
                 break
     if not samples:
         raise KeyboardInterrupt
-    return _finished(WalkResult.of(errand, Record(rig.wiring, samples), rig))
+    _warn(rig)
+    return WalkResult.of(errand, Record(rig.wiring, samples), rig)
 
 
 def _walked(robot: Any, errands: Sequence["Errand"], port: str | None, baud: int) -> list["WalkResult"]:
@@ -163,17 +164,15 @@ def _walked(robot: Any, errands: Sequence["Errand"], port: str | None, baud: int
                 samples.append(sample)
                 tell(errand, sample)
             records.append(Record(rig.wiring, samples))
-    return [_finished(WalkResult.of(e, record, rig)) for e, record in zip(errands, records, strict=True)]
+    _warn(rig)
+    return [WalkResult.of(errand, record, rig) for errand, record in zip(errands, records, strict=True)]
 
 
-def _finished(result: "WalkResult") -> "WalkResult":
-    """Say on standard error what a person must know about the servos."""
-    if result.unconfirmed:
-        typer.echo(
-            f"kinlab: torque off is not confirmed by servo {', '.join(map(str, result.unconfirmed))}",
-            err=True,
-        )
-    return result
+def _warn(rig: "Rig") -> None:
+    """Say what a person must know who is about to touch the robot."""
+    if rig.unconfirmed:
+        servos = ", ".join(map(str, rig.unconfirmed))
+        typer.echo(f"kinlab: torque off is not confirmed by servo {servos}", err=True)
 
 
 def _compared(
