@@ -84,7 +84,7 @@ def _joints(name: str, limb: dict[str, Any], notes: Footnotes) -> Table:
     found = table(f"{name}: joints, {how}", *columns, *([("mass", "g")] if weighed else []))
     for joint in limb["joints"]:
         ends = [
-            f"{number(end)}{'*' if servo else ''}"
+            f"{number(end, 1)}{'*' if servo else ''}"
             for end, servo in zip(joint["limits_deg"], joint["set_by_servo"], strict=True)
         ]
         if any(joint["set_by_servo"]):
