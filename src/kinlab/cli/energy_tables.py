@@ -26,7 +26,7 @@ def _show_ground(ground: Ground) -> None:
     data = ground.to_json()
     runs = table(
         f"{ground.name} ground, {data['where']}", ("speed", "mm/s"), ("time", "s"),
-        *((f"{gait}{part}", unit) for gait in GAITS for part, unit in (("", "Wh"), (" model", "Wh"), (" way", "%"))),
+        *(column for gait in GAITS for column in ((gait, "Wh"), ("model", "Wh"), ("way", "%"))),
     )  # fmt: skip
     for row in data["rows"]:
         cells = [f"{row['speed_mm_s']:g}", f"{row['duration_s']:g}"]

@@ -154,7 +154,7 @@ def _landings(answer: GaitReport) -> Table:
         "touch-down, without and with eros's optimisations",
         "optimisation",
         ("down", "mm/s"),
-        ("over the ground", "mm/s"),
+        ("over ground", "mm/s"),
         ("toe down", "deg"),
         ("toe up", "deg"),
     )

@@ -43,8 +43,7 @@ def table(title: str, *columns: str | tuple[str, str]) -> Table:
     found = Table(title=title, box=None, pad_edge=False, padding=(0, 3, 0, 0))
     for column in columns:
         if isinstance(column, tuple):
-            name, unit = column
-            found.add_column(Text(f"{name} [{unit}]" if unit else name), justify="right", no_wrap=True)
+            found.add_column(Text("\n".join(filter(None, column))), justify="right", no_wrap=True)
         else:
             # A name that stands first is what a reader looks for: it is not folded.
             found.add_column(
