@@ -19,7 +19,7 @@ from kinlab.cli.command import (
 )
 
 if TYPE_CHECKING:
-    from kinlab.rig import Errand, Order, WalkResult
+    from kinlab.rig import Errand, Order, Rig, WalkResult
 
 INTERRUPTED = 130
 # The speeds of krsri-hexapod, Table 2.
