@@ -6,8 +6,8 @@ import numpy as np
 from rich.table import Table
 from rich.text import Text
 
-from kinlab.cli.show import console, number, picture, sentences, show, table
-from kinlab.gait.drawing import bars, draw_support, plot
+from kinlab.cli.show import console, number, picture, plotted, sentences, show, table
+from kinlab.gait.drawing import bars, draw_support
 from kinlab.gait.report import GaitReport
 from kinlab.gait.schedule import Phase
 
@@ -132,9 +132,9 @@ def _margins(answer: GaitReport) -> Table:
 
 
 def _margin_plot(answer: GaitReport) -> list[Any]:
-    values = answer.trace * 1000
-    title = f"static margin over one cycle, {values.min():.1f} to {values.max():.1f} mm; dashed is zero"
-    return [Text(title, style="italic"), picture(plot(values, ascii_only=_plain()))]
+    margins = (answer.trace * 1000).tolist()
+    points = [(i / (len(margins) - 1), margin) for i, margin in enumerate(margins)]
+    return plotted("static margin over one cycle", {"margin": points}, "cycle", "mm")
 
 
 def _jumps(answer: GaitReport) -> Table:

@@ -1,12 +1,13 @@
 """How answers look: tables, places, drawings. Rich is imported here and in nothing that `--json` needs."""
 
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from rich.console import Console, Group, RenderableType
 from rich.table import Table
 from rich.text import Text
 
-from kinlab.canvas import Canvas
+from kinlab.canvas import Canvas, chart
 from kinlab.robots.drawing import draw_limb
 from kinlab.robots.model import Limb
 from kinlab.robots.workspace import Section
@@ -120,3 +121,14 @@ def section(name: str, cut: Section, limb: Limb) -> list[RenderableType]:
     canvas.mark((0.0, 0.0), "o" if canvas.ascii_only else "●", "joint")
     scale = f"{name}, {cut.plane}; one character is {number(canvas.cell_width * 1000, 1)} mm wide"
     return [Text(scale, style="italic"), picture(canvas)]
+
+
+def plotted(
+    title: str, series: Mapping[str, Sequence[tuple[float, float]]], x: str, y: str
+) -> list[RenderableType]:
+    """Curves under a line that says what they are, in which units, and what the field spans."""
+    out = console()
+    plain = not out.encoding.lower().startswith("utf")
+    canvas, across, up = chart(series, min(78, out.width), 9, ascii_only=plain)
+    spans = f"x {number(across[0])} to {number(across[1])} {x}, y {number(up[0])} to {number(up[1])} {y}"
+    return [Text(f"{title}; {spans}", style="italic"), picture(canvas)]

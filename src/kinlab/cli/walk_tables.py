@@ -5,7 +5,7 @@ from typing import Any
 
 from rich.text import Text
 
-from kinlab.cli.show import number, sentences, show, table
+from kinlab.cli.show import number, plotted, sentences, show, table
 from kinlab.papers.comparison import Comparison, Curves
 from kinlab.rig import WalkResult
 
@@ -14,6 +14,7 @@ def show_walk(result: WalkResult) -> None:
     """Energy, tracking, joints, what went wrong, what is assumed."""
     data = result.to_json()
     show(*_heading(data), "", _energy(data), "", _tracking(data), "", _joints(data))
+    show("", *plotted("error of the foot over two cycles", result.error_curves(), "s", "mm"))
     rows = [("possible", _possible(data))]
     if not data["complete"]:
         rows.append(("stopped", f"after {data['duration_s']:.1f} s, before its end"))
@@ -157,6 +158,12 @@ def show_comparison(answer: Comparison) -> None:
             cells += [_plain(near[f"{gait}_wh_per_m"] if near else None, 3) for gait in gaits]
         found.add_row(number(row["speed_mm_s"]), *cells)
     show(found)
+    lines = {
+        f"{name} {gait}": list(zip((source.speed * 1000).tolist(), energy.tolist(), strict=True))
+        for name, source in zip(_short(answer)[:2], answer.sources, strict=False)
+        for gait, energy in source.energy.items()
+    }
+    show("", *plotted("what a metre costs", lines, "mm/s", "Wh"))
     for source in answer.sources:
         _show_source(source)
     show("", sentences(*(("-", note) for note in answer.notes)))

@@ -1,10 +1,8 @@
 """A gait in characters: bars over the cycle, the feet from above, a margin over the cycle."""
 
 from fractions import Fraction
-from itertools import pairwise
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from kinlab.canvas import Canvas, Point
 from kinlab.gait.schedule import Gait
@@ -44,18 +42,3 @@ def draw_support(state: Stability, *, columns: int = 36, rows: int = 14, ascii_o
 
 def _above(place: Array) -> Point:
     return -float(place[1]) * 1000, float(place[0]) * 1000
-
-
-def plot(values: ArrayLike, *, columns: int = 60, rows: int = 7, ascii_only: bool = False) -> Canvas:
-    """Values (N,) of one cycle as a line, with zero in sight: the canvas has no scale of its own."""
-    y = np.asarray(values, float)
-    low, high = min(0.0, float(y.min())), max(0.0, float(y.max()))
-    across, up = float(2 * columns - 6), float(4 * rows - 6)
-    scale = up / max(high - low, 1e-12)
-    points = [(across * i / (len(y) - 1), (v - low) * scale) for i, v in enumerate(y.tolist())]
-    canvas = Canvas(columns, rows, [(0.0, 0.0), (across, up)], ascii_only=ascii_only)
-    zero = -low * scale
-    canvas.line((0.0, zero), (across, zero), "axis", dashed=True)
-    for start, end in pairwise(points):
-        canvas.line(start, end, "link1")
-    return canvas

@@ -200,6 +200,20 @@ class WalkResult:
             for sample, way, off in zip(record.samples, ways.tolist(), errors.tolist(), strict=True)
         ]
 
+    def error_curves(self) -> dict[str, list[tuple[float, float]]]:
+        """The tracking error of the foot that is furthest off, and the mean of all, for two cycles in the middle.
+
+        By name, points of time in s and error in mm; NaN where a servo did not answer.
+        """
+        t, errors = self.record.t, self.record.errors * 1000
+        near = np.abs(t - t[-1] / 2) <= self.errand.walk.period
+        seen = errors[near]
+        worst = int(np.argmax(np.nan_to_num(seen).max(axis=0)))
+        curves = {self.record.wiring.limbs[worst].name: seen[:, worst], "mean": seen.mean(axis=1)}
+        return {
+            name: list(zip(t[near].tolist(), values.tolist(), strict=True)) for name, values in curves.items()
+        }
+
     def _tracking(self) -> dict[str, Any]:
         errors = self.record.errors * 1000
         names = [limb.name for limb in self.record.wiring.limbs]
