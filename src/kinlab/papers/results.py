@@ -8,6 +8,7 @@ import numpy as np
 
 from kinlab.kinematics.transforms import Array
 from kinlab.robots import Limb
+from kinlab.robots.target import place_mm
 from kinlab.units import to_mm
 
 
@@ -72,7 +73,7 @@ class AsPrinted:
         result = {
             "variant": self.variant,
             "where": self.where,
-            "angles_deg": None if angles is None else {k: float(np.degrees(v)) for k, v in angles.items()},
+            "angles_deg": None if angles is None else {k: round(float(np.degrees(v)), 12) for k, v in angles.items()},
             "fk_mm": _point(self.tip, limb, frame),
             "error_mm": _mm(self.error_m),
             "note": self.note,
@@ -160,4 +161,4 @@ def _mm(metres: float | None) -> float | None:
 
 
 def _point(point: Array | None, limb: Limb, frame: str) -> list[float] | None:
-    return None if point is None else [float(v) for v in to_mm(limb.from_limb(point, frame))]
+    return None if point is None else place_mm(limb, point, frame)
