@@ -70,6 +70,8 @@ def ik(
         raise UsageError(f"a target is three numbers X Y Z, got {len(target)}")
     if rpy is not None and yaw is not None:
         raise UsageError("--yaw DEG is short for --rpy 0 0 DEG: give one of the two")
+    if compare and (as_printed or every or method is not None):
+        raise UsageError("--compare shows every method by itself: leave --all, --as-printed and --method out")
     if trace and method is None:
         raise UsageError("--trace shows the steps of a method: name one with --method")
     machine = load_robot(robot, robots)
@@ -87,7 +89,7 @@ def ik(
             from kinlab.cli.ik_tables import show_comparison
 
             show_comparison(report)
-        if not any(run.converged for run in report.runs):
+        if not report.reached:
             raise typer.Exit(1)
         return
     answer = solve_target(machine, which, point, frame=frame, rpy=attitude, method=method)
@@ -103,5 +105,5 @@ def ik(
         from kinlab.cli.ik_tables import show_answer
 
         show_answer(answer, every=every, servos=servos, as_printed=as_printed, trace=trace)
-    if not answer.reachable:
+    if answer.chosen is None:
         raise typer.Exit(1)

@@ -10,7 +10,7 @@ from kinlab.cli.show import drawing, number, place, show, table
 from kinlab.papers import AsPrinted, measured
 from kinlab.papers import as_printed as evaluate
 from kinlab.robots import Limb
-from kinlab.robots.methods import MethodComparison
+from kinlab.robots.methods import MethodComparison, outcome
 from kinlab.robots.target import PoseReport, TargetReport, angles_deg
 
 
@@ -24,8 +24,9 @@ def show_answer(
 ) -> None:
     """Angles, servos, errors and a drawing; where asked for, all solutions, the steps, the printed equations."""
     show(_heading(answer.robot.name, answer.limb.name, answer.place_mm(answer.target), answer.frame))
-    if not answer.reachable:
-        show(Text(f"not reachable: {answer.reason}", style="bold red"))
+    if answer.chosen is None:
+        verdict = "not reached" if answer.reachable else "not reachable"
+        show(Text(f"{verdict}: {answer.reason}", style="bold red"))
     if answer.nearest is not None:
         show(
             f"nearest reachable point: {place(answer.place_mm(answer.nearest))} mm, {answer.missed_mm:.3f} mm away"
@@ -136,5 +137,6 @@ def show_comparison(report: MethodComparison) -> None:
         found.add_row("closed form", "0", f"{exact.error_m * 1000:.1e}", angles, exact.name)
     for run in report.runs:
         angles = _angles(report.limb, run.q)
-        found.add_row(run.method, str(run.iterations), f"{run.residual_m * 1000:.1e}", angles, run.reason)
+        ended = outcome(report.limb, run)
+        found.add_row(run.method, str(run.iterations), f"{run.residual_m * 1000:.1e}", angles, ended)
     show("", found)

@@ -20,9 +20,15 @@ TOLERANCE_M = 1e-9
 MAX_ITERATIONS = 200
 # Nakamura and Hanafusa 1986: damping sets in where the smallest singular value falls below a bound.
 SINGULAR = 0.02
+# Buss and Kim 2005: damped steps go for at most this share of the chain's length at a time.
+FARTHEST_STEP = 0.25
 # The bound `e` (m) of step 5 of the arm paper's algorithm, and how often it may halve its step.
 INVERSE_ERROR_M = 1e-6
 HALVINGS = 40
+# A method that has come no nearer for so many iterations is given up.
+PATIENCE = 30
+# |J^T e| / (|J| |e|) below which a point counts as stationary.
+STATIONARY = 1e-6
 
 
 class Step(NamedTuple):
@@ -80,6 +86,22 @@ class Problem:
         J = chain.jacobian(self.axes, self.links, q)
         return J[:3] if self.rotation is None else np.concatenate([J[:3], self.length * J[3:]])
 
+    def hessian(self, q: Array, e: Array) -> Array:
+        """Second derivatives (n, n) of |e|^2 / 2, in m^2/rad^2; those of the attitude by J^T J alone."""
+        J = self.jacobian(q)
+        bent = np.einsum("i,ijk->jk", e[:3], chain.position_hessian(self.axes, self.links, q))
+        return np.asarray(J.T @ J - bent)
+
+
+def _stall(problem: Problem, q: Array, e: Array) -> str:
+    """Why there is no progress at the angles `q`, where `e` is missing."""
+    J = problem.jacobian(q)
+    if np.linalg.norm(J.T @ e) > STATIONARY * np.linalg.norm(J) * np.linalg.norm(e):
+        return f"no nearer in {PATIENCE} iterations: its steps overshoot"
+    if np.linalg.eigvalsh(problem.hessian(q, e))[0] < 0:
+        return "caught at a saddle or a maximum of the distance, short of the target"
+    return "at the nearest point around, short of the target"
+
 
 class Stop(Exception):  # noqa: N818 - not an error: a method's reason to give up
     """A method cannot go on."""
@@ -107,12 +129,16 @@ def resolved_motion_rate(problem: Problem, q: Array, e: Array, memory: dict[str,
 
 
 def damped_least_squares(problem: Problem, q: Array, e: Array, memory: dict[str, float]) -> tuple[Array, str]:
-    """dq = J^T (J J^T + k I)^-1 e, with damping k only near singularities (Nakamura and Hanafusa 1986)."""
+    """dq = J^T (J J^T + k I)^-1 e, with damping k only near singularities (Nakamura and Hanafusa 1986).
+
+    The error is cut to a share of the chain's length (Buss and Kim 2005), as its linear model holds no further.
+    """
     U, s, Vt = np.linalg.svd(problem.jacobian(q), full_matrices=False)
     bound = SINGULAR * problem.length
     damping = 0.0
     if s[-1] < bound:
         damping = (bound**2) * (1 - (s[-1] / bound) ** 2)
+    e = e * min(1.0, FARTHEST_STEP * problem.length / float(np.linalg.norm(e)))
     dq = Vt.T @ (s / (s * s + damping) * (U.T @ e))
     return q + dq, f"damped, k = {damping:.2e} m2" if damping else ""
 
@@ -127,15 +153,12 @@ def newton(problem: Problem, q: Array, e: Array, memory: dict[str, float]) -> tu
 
     Quadratic near a solution, but drawn to any stationary point: a saddle or a maximum as well.
     """
-    J = problem.jacobian(q)
-    H = J.T @ J
-    H = H - np.einsum("i,ijk->jk", e[:3], chain.position_hessian(problem.axes, problem.links, q))
+    H = problem.hessian(q, e)
     try:
-        return q + np.linalg.solve(H, J.T @ e), "" if np.linalg.eigvalsh(H)[
-            0
-        ] > 0 else "not a descent: saddle"
+        step = np.linalg.solve(H, problem.jacobian(q).T @ e)
     except np.linalg.LinAlgError:
         raise Stop("the matrix of second derivatives is singular") from None
+    return q + step, "" if np.linalg.eigvalsh(H)[0] > 0 else "uphill: towards a saddle or a maximum"
 
 
 def levenberg_marquardt(problem: Problem, q: Array, e: Array, memory: dict[str, float]) -> tuple[Array, str]:
@@ -157,7 +180,7 @@ def levenberg_marquardt(problem: Problem, q: Array, e: Array, memory: dict[str, 
         growth *= 2
         if np.linalg.norm(dq) < 1e-15:
             break
-    raise Stop("no step makes the residual smaller: a stationary point short of the target")
+    raise Stop(_stall(problem, q, e))
 
 
 def cyclic_coordinate_descent(
@@ -246,10 +269,8 @@ def solve(
         best = min(best, residual)
         if not np.isfinite(residual):
             reason = "the angles ran away"
-        elif residual > tolerance_m and best_ago >= 30:
-            reason = (
-                "no progress in 30 iterations" if residual < 2 * best else "it jumps about without closing in"
-            )
+        elif residual > tolerance_m and best_ago >= PATIENCE:
+            reason = _stall(problem, q, e)
     converged = residual <= tolerance_m
     return Solution(
         method,

@@ -51,7 +51,7 @@ def body_pose(robot: Robot, xyz: ArrayLike, rpy: ArrayLike, feet: ArrayLike | No
         UsageError: the robot has no legs.
     """
     if not robot.legs:
-        raise UsageError(f"{robot.name} has no legs to stand on")
+        raise UsageError(f"{robot.name} has no legs to stand on: no group of its limbs has a stance")
     feet = robot.standing_feet if feet is None else np.asarray(feet, float)
     R = rpy_to_rotation(rpy)
     return legs_ik(robot, feet_from_body(feet, xyz, R), R)

@@ -8,16 +8,29 @@ from numpy.typing import ArrayLike
 
 from kinlab.kinematics import numeric
 from kinlab.kinematics.transforms import Array
+from kinlab.robots.inverse import fit_limits
 from kinlab.robots.model import Limb, Robot
+from kinlab.robots.reasons import beyond_limits
 from kinlab.robots.target import PoseReport, angles_deg, place_mm, solve_target
 
 
 def attempt_target(limb: Limb, target: Array, method: str, rotation: Array | None = None) -> numeric.Solution:
-    """A numeric method from the middle of the joints' limits to `target` (3,), limb frame, metres."""
+    """A numeric method from the middle of the joints' limits to `target` (3,), limb frame, metres.
+
+    Its angles are turned by whole turns into the limits where that fits.
+    """
     if rotation is None and len(limb.joints) >= 6:
         rotation = np.eye(3)
     start = limb.limits.mean(axis=0)
-    return numeric.solve(limb.axes, limb.links, target, start, method=method, rotation=rotation)
+    found = numeric.solve(limb.axes, limb.links, target, start, method=method, rotation=rotation)
+    fit_limits(limb, found.q)
+    return found
+
+
+def outcome(limb: Limb, attempt: numeric.Solution) -> str:
+    """How a run ended, in words: where it converged, whether within the limits."""
+    beyond = beyond_limits(limb, attempt.q) if attempt.converged else ()
+    return f"converged beyond the limits: {', '.join(beyond)}" if beyond else attempt.reason
 
 
 def attempt_json(limb: Limb, attempt: numeric.Solution) -> dict[str, Any]:
@@ -28,6 +41,7 @@ def attempt_json(limb: Limb, attempt: numeric.Solution) -> dict[str, Any]:
         "residual_mm": attempt.residual_m * 1000,
         "iterations": attempt.iterations,
         "reason": attempt.reason,
+        "within_limits": attempt.converged and not beyond_limits(limb, attempt.q),
         "angles_deg": angles_deg(limb, attempt.q),
         "trace": [
             {"angles_deg": angles_deg(limb, step.q), "residual_mm": step.residual_m * 1000, "note": step.note}
@@ -54,6 +68,11 @@ class MethodComparison:
     closed: PoseReport | None
     no_closed_form: str
     runs: tuple[numeric.Solution, ...]
+
+    @property
+    def reached(self) -> bool:
+        """Whether any method got there within the limits."""
+        return any(run.converged and not beyond_limits(self.limb, run.q) for run in self.runs)
 
     def place_mm(self, point: Array) -> list[float]:
         """A point of the limb frame (3,), in metres, as millimetres in the frame shown."""

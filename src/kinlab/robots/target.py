@@ -11,9 +11,10 @@ from numpy.typing import ArrayLike
 
 from kinlab.kinematics.transforms import Array, rpy_to_rotation
 from kinlab.names import resolve
-from kinlab.robots.inverse import fit_limits, inverse_kinematics, nearest
-from kinlab.robots.model import FRAMES, LIMIT_SLACK, Limb, Robot
-from kinlab.units import check_place
+from kinlab.robots.inverse import inverse_kinematics, nearest
+from kinlab.robots.model import FRAMES, Limb, Robot
+from kinlab.robots.reasons import beyond_limits, why_unreachable
+from kinlab.units import check_place, finite
 
 if TYPE_CHECKING:
     from kinlab.kinematics.numeric import Solution
@@ -77,8 +78,9 @@ class TargetReport:
         target: (3,), limb frame, metres.
         rotation: the attitude asked for (3, 3), or None.
         poses: all solutions.
-        chosen: index of the chosen one; None where none is within the limits.
-        reason: why it is unreachable; empty where it is not.
+        chosen: index of the chosen one; None where none of them is within the limits.
+        reachable: whether the limb gets there within its limits, by whatever method.
+        reason: why none is chosen; empty where one is.
         nearest: the nearest reachable point (3,), limb frame, metres; None where the target is reachable.
         attempt: the run of a numeric method, where one was asked for.
     """
@@ -90,19 +92,19 @@ class TargetReport:
     rotation: Array | None
     poses: tuple[PoseReport, ...]
     chosen: int | None
+    reachable: bool
     reason: str
     nearest: Array | None
     attempt: "Solution | None" = None
 
     @property
-    def reachable(self) -> bool:
-        """Whether a solution within the limits was found."""
-        return self.chosen is not None
-
-    @property
     def missed_mm(self) -> float:
         """The distance from the target to the nearest reachable point."""
-        return 0.0 if self.nearest is None else float(np.linalg.norm(self.nearest - self.target)) * 1000
+        return (
+            0.0
+            if self.nearest is None
+            else round(float(np.linalg.norm(self.nearest - self.target)) * 1000, 9)
+        )
 
     def place_mm(self, point: Array) -> list[float]:
         """A point of the limb frame (3,), in metres, as millimetres in the frame shown."""
@@ -119,11 +121,11 @@ class TargetReport:
             "chosen": self.chosen,
             "solutions": [self._pose_json(pose, servos) for pose in self.poses],
         }
-        if not self.reachable:
+        if self.chosen is None:
             found["reason"] = self.reason
-            if self.nearest is not None:
-                found["nearest_mm"] = self.place_mm(self.nearest)
-                found["missed_mm"] = self.missed_mm
+        if self.nearest is not None:
+            found["nearest_mm"] = self.place_mm(self.nearest)
+            found["missed_mm"] = self.missed_mm
         if self.attempt is not None:
             from kinlab.robots.methods import attempt_json
 
@@ -152,7 +154,7 @@ def place_mm(limb: Limb, point: Array, frame: str) -> list[float]:
 
 def angles_deg(limb: Limb, q: ArrayLike) -> dict[str, float]:
     """Joint angles (n,) in rad as degrees by name."""
-    return {name: float(a) + 0.0 for name, a in zip(limb.joint_names, np.degrees(q), strict=True)}
+    return {name: round(float(a), 12) + 0.0 for name, a in zip(limb.joint_names, np.degrees(q), strict=True)}
 
 
 def solve_target(
@@ -179,7 +181,10 @@ def solve_target(
     check_place(target, "a target's numbers")
     frame = resolve(frame, FRAMES, "frame")
     point = limb.to_limb(target, frame)
-    rotation = None if rpy is None else rpy_to_rotation(rpy)
+    rotation = None
+    if rpy is not None:
+        finite(rpy, "roll, pitch and yaw")
+        rotation = rpy_to_rotation(rpy)
     found = inverse_kinematics(limb, point, rotation)
     attempt = None
     if method is None:
@@ -188,19 +193,27 @@ def solve_target(
         from kinlab.robots.methods import attempt_target
 
         attempt = attempt_target(limb, point, method, rotation)
-        q = attempt.q.copy()
-        fit_limits(limb, q)
-        named = [(attempt.method, q)] if attempt.converged else []
+        named = [(attempt.method, attempt.q)] if attempt.converged else []
     poses = tuple(_pose(limb, name, q, point) for name, q in named)
     chosen = next((i for i, pose in enumerate(poses) if pose.within_limits), None)
-    reason, closest = "", None
-    if chosen is None:
-        if attempt is not None and not attempt.converged:
-            reason = f"{attempt.method} did not get there: {attempt.reason}"
-        if not found.reachable:
-            closest = nearest(limb, point)
-        reason = "; ".join(filter(None, [reason, _reason(limb, point, poses, found.exists)]))
-    return TargetReport(robot, limb, frame, point, rotation, poses, chosen, reason, closest, attempt)
+    reasons, closest = [], None
+    if attempt is not None and chosen is None:
+        reasons.append(_why_not(attempt, poses))
+        if found.reachable:
+            reasons.append(f"there is a solution within the limits: {found.names[int(found.chosen)]}")
+    if not found.reachable:
+        closest = nearest(limb, point)
+        reasons.append(why_unreachable(limb, point, found, closest))
+    reachable, reason = bool(found.reachable), "; ".join(reasons)
+    return TargetReport(
+        robot, limb, frame, point, rotation, poses, chosen, reachable, reason, closest, attempt
+    )
+
+
+def _why_not(attempt: "Solution", poses: tuple[PoseReport, ...]) -> str:
+    if not attempt.converged:
+        return f"{attempt.method} did not get there: {attempt.reason}"
+    return f"{attempt.method} got there with angles beyond the limits: {', '.join(poses[0].beyond)}"
 
 
 def _pose(limb: Limb, name: str, q: Array, target: Array) -> PoseReport:
@@ -211,22 +224,6 @@ def _pose(limb: Limb, name: str, q: Array, target: Array) -> PoseReport:
     return PoseReport(
         name, q, not beyond, beyond, tip, float(np.linalg.norm(tip - target)), servos, quantised, error
     )
-
-
-def beyond_limits(limb: Limb, q: Array) -> tuple[str, ...]:
-    """What of the angles `q` (n,), rad, breaks a limit, in words."""
-    lower, upper = limb.limits
-    found = []
-    for i, joint in enumerate(limb.joint_names):
-        if q[i] < lower[i] - LIMIT_SLACK:
-            found.append(
-                f"{joint} {np.degrees(q[i]):.2f} deg is below its limit of {np.degrees(lower[i]):.1f}"
-            )
-        elif q[i] > upper[i] + LIMIT_SLACK:
-            found.append(
-                f"{joint} {np.degrees(q[i]):.2f} deg is above its limit of {np.degrees(upper[i]):.1f}"
-            )
-    return tuple(found)
 
 
 def read_servos(limb: Limb, q: Array) -> tuple[dict[str, ServoReading], Array | None]:
@@ -245,27 +242,3 @@ def read_servos(limb: Limb, q: Array) -> tuple[dict[str, ServoReading], Array | 
         rounded.append(joint.servo.joint(command))
     whole = len(rounded) == len(limb.joints) and bool(np.isfinite(rounded).all())
     return servos, limb.fk(np.array(rounded))[:3, 3] if whole else None
-
-
-def _reason(limb: Limb, target: Array, poses: tuple[PoseReport, ...], exists: Array) -> str:
-    if poses:
-        return "every solution breaks a limit: " + "; ".join(
-            f"{p.name}: {', '.join(p.beyond)}" for p in poses
-        )
-    if exists:
-        return ""
-    form = limb.closed_form
-    if form is not None and form.kind == "leg":
-        coxa, femur, tibia = (length * 1000 for length in form.lengths)
-        r, h = np.hypot(*target[:2]) * 1000 - coxa, target[2] * 1000
-        distance, rest = (
-            np.hypot(r, h),
-            f"from the femur's joint, and femur and tibia reach {femur + tibia:.1f} mm",
-        )
-        if distance < abs(femur - tibia):
-            rest = f"from the femur's joint, and the folded leg keeps {abs(femur - tibia):.1f} mm away"
-        return f"out of reach: {distance:.1f} mm {rest}"
-    distance, length = np.linalg.norm(target) * 1000, np.linalg.norm(limb.links, axis=1).sum() * 1000
-    if distance > length:
-        return f"out of reach: {distance:.1f} mm from the first joint, and the stretched limb is {length:.1f} mm long"
-    return "out of reach: no angles of the joints bring the tip there"

@@ -10,7 +10,8 @@ from kinlab.kinematics import dh, manipulability
 from kinlab.kinematics.transforms import Array
 from kinlab.names import resolve
 from kinlab.robots.model import FRAMES, Limb, Robot
-from kinlab.robots.target import angles_deg, beyond_limits
+from kinlab.robots.reasons import beyond_limits
+from kinlab.robots.target import angles_deg
 from kinlab.units import finite
 
 

@@ -1,0 +1,1 @@
+"""Prompts: the face of the packet sandbox."""
