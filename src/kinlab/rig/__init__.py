@@ -1,0 +1,1 @@
+"""The path itself: a robot wired to a bus, driven, and measured."""
