@@ -65,7 +65,7 @@ def test_the_observer_finds_the_force_of_the_hand(arm_at, stay):
         np.testing.assert_allclose(record.torques[estimate][pushed].mean(axis=0), applied, atol=unknown)
 
 
-def drive(servos, track, settings, before=lambda servos: None, tell=lambda k: None):
+def drive(servos, track, settings, before=lambda servos: None, tell=None):
     with servos:
         servos.hold()
         before(servos)
@@ -109,7 +109,7 @@ def test_a_servo_that_falls_silent_stops_the_loop_and_the_others_let_go(arm_at, 
 def test_an_interrupt_leaves_the_torque_off(arm_at, line):
     servos = arm_at(line)
 
-    def interrupt(k):
+    def interrupt(k, record):
         if k == 20:
             raise KeyboardInterrupt
 

@@ -16,6 +16,7 @@ COMMANDS = {
     "fk": "joint angles as the position and attitude of the tip",
     "body": "every leg's joints for a pose of the body over fixed feet",
     "workspace": "how far a limb reaches, and where it cannot",
+    "arm": "the receptionist's arm follows a line, yields to a hand, and observes what pushes it",
     "packet": "Dynamixel packets byte by byte, at a prompt, on an emulated chain or a real bus",
     "emulate": "an emulated servo chain for other programs, on a pty or TCP",
     "bus": "scan, read, write and monitor the servos on a port",

@@ -92,7 +92,7 @@ class Settings:
 
 
 def run(
-    servos: ArmServos, track: Track, settings: Settings, tell: Callable[[int], None] = lambda k: None
+    servos: ArmServos, track: Track, settings: Settings, tell: Callable[[int, Record], None] | None = None
 ) -> Record:
     """Drive the arm along `track`, one of its points each cycle, and record everything.
 
@@ -100,7 +100,7 @@ def run(
     that takes longer delays the next, and is recorded.
 
     Args:
-        tell: called with the number of each cycle that is done.
+        tell: called after each cycle with its number and the record so far.
 
     Raises:
         RunawayError: the loop diverged.
@@ -135,7 +135,8 @@ def run(
             raise KinlabError(
                 f"the {joint} has not answered for {PATIENCE} cycles, until {begun - start:.3f} s"
             )
-        tell(k)
+        if tell:
+            tell(k, record)
         due = max(due + settings.dt, clock.now())
         clock.wait(due - clock.now())
     return record

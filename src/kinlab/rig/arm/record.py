@@ -1,7 +1,7 @@
 """What a run of the loop leaves behind: every cycle, as arrays, CSV and JSON."""
 
 import csv
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -72,6 +72,18 @@ class Record:
         for name, observed in (("disturbance", machine.disturbance), ("reaction", machine.reaction)):
             torques[name][k] = observed.estimate if observed else 0.0
         torques["pushed"][k] = world.pushed(t) if world else np.nan
+
+    def until(self, k: int) -> "Record":
+        """The first `k` cycles."""
+        return replace(
+            self,
+            t=self.t[:k],
+            busy=self.busy[:k],
+            missed=self.missed[:k],
+            damping=self.damping[:k],
+            angles={name: values[:k] for name, values in self.angles.items()},
+            torques={name: values[:k] for name, values in self.torques.items()},
+        )
 
     @property
     def error(self) -> Array:

@@ -6,12 +6,13 @@ from contextlib import suppress
 from dataclasses import dataclass
 from types import TracebackType
 
-from kinlab.dynamixel import Bus, BusError, Chain, MemoryPort, PortError
-from kinlab.dynamixel.outfit import robot_modules
+from kinlab.dynamixel import Bus, BusError, Chain, PortError
+from kinlab.dynamixel.outfit import modules_of
 from kinlab.dynamixel.ports import open_port
 from kinlab.dynamixel.tables import load_table
 from kinlab.errors import KinlabError, UsageError
 from kinlab.rig.arm.push import Push
+from kinlab.rig.arm.trace import TappedPort
 from kinlab.rig.arm.world import World, WorldClock
 from kinlab.robots import Limb, Robot
 
@@ -94,10 +95,10 @@ class ArmServos:
         setup: Setup | None = None,
     ) -> "ArmServos":
         """The robot's chain in memory at 1 Mbps, with the limb's links on it, at the angles `start` (n,) in rad."""
-        chain = Chain.of(robot_modules(robot.name))
+        chain = Chain.of(modules_of([(servo.model.name, [servo.id]) for servo in robot.servos]))
         world = World(limb, chain, pushes)
         world.place(start)
-        port = MemoryPort(chain, WorldClock(chain, world))
+        port = TappedPort(chain, WorldClock(chain, world))
         return cls(limb, Bus(port, protocol=1), setup or Setup(), world)
 
     @classmethod
