@@ -1,8 +1,30 @@
 """`kinlab arm` as people type it."""
 
 import csv
+import math
+import threading
 
 import pytest
+
+from kinlab.dynamixel import Chain
+from kinlab.dynamixel.serving import Server
+from kinlab.dynamixel.serving.pty import PtyLink
+from kinlab.dynamixel.servo.breaking import motor_of
+
+
+@pytest.fixture
+def served(tmp_path):
+    """The servos of the right arm behind a pty, in real time, near the start of the line."""
+    link = PtyLink(tmp_path / "ttyArm", 1_000_000)
+    chain = Chain.of([("RX-24F", [i]) for i in (2, 4, 6)])
+    for servo, joint_deg in ((2, 44.0), (4, 1.0), (6, 146.0)):
+        motor_of(chain.servo(servo)).angle = math.radians(150 + joint_deg)
+    server = Server(chain, [link])
+    thread = threading.Thread(target=server.run)
+    thread.start()
+    yield link.link
+    server.stop()
+    thread.join(timeout=10)
 
 
 def test_the_four_experiments_print_the_verdict_beside_the_claim(kinlab):
@@ -80,6 +102,8 @@ def test_a_small_map_is_drawn_with_its_bounds(kinlab):
         (("track", "--kp", "nan"), 2, "gains must be finite"),
         (("track", "--seconds", 0), 2, "more than 0 s"),
         (("track", "--slope", 400), 2, "slope of a servo is 0 to 254"),
+        (("track", "--drop", 0.3), 1, "has not answered for 10 cycles"),
+        (("track", "--drop", 1), 2, "less than 1"),
         (("track", "--real", "/dev/nowhere"), 1, "cannot open the port"),
         (("comply", "--push", "force=0,inf,0"), 2, "finite forces"),
         (("comply", "--push", "at=hend force=0,1,0"), 2, "did you mean hand"),
@@ -97,6 +121,24 @@ def test_bad_input_is_answered_in_words(kinlab, args, code, complaint):
     run = kinlab("arm", *args)
     assert run.code == code, run.err
     assert complaint in run.err
+
+
+def test_lost_packets_are_held_over_and_counted(kinlab):
+    run = kinlab("arm", "track", "--drop", 0.03)
+    assert run.code == 0
+    assert "answers missed, held: " in run.out
+    assert kinlab("arm", "track", "--drop", 0.03, "--json").json["runs"]["position"]["missed"] > 0
+
+
+def test_a_real_arm_is_driven_through_the_same_code(kinlab, served):
+    """Over a pty: a chain without links, in real time."""
+    run = kinlab("arm", "track", "--real", served, "--seconds", 0.4, "--json")
+    assert run.code == 0
+    found = run.json["runs"]["position"]
+    assert found["columns"]["pushed_elbow_nm"][0] is None
+    assert found["columns"]["t_s"][-1] > 0.39
+    for servo in (2, 4, 6):
+        assert kinlab("bus", "read", servo, "torque_enable", "--port", served, "--json").json["value"] == 0
 
 
 def test_every_command_has_help_with_an_example(kinlab):

@@ -10,6 +10,7 @@ from kinlab.cli.arm_options import (
     Baud,
     Csv,
     Denv,
+    Drop,
     EnvironmentName,
     Kenv,
     Kf,
@@ -71,6 +72,7 @@ def _track(
     speed_limit: SpeedLimit = 700.0,
     real: Real = None,
     baud: Baud = 1_000_000,
+    drop: Drop = 0.0,
     live: Live = False,
     csv: Csv = None,
     trace: Annotated[
@@ -93,7 +95,7 @@ def _track(
     settings = Settings(law, PositionGains(kp, kv), running_sum=summed)
     setup = _setup(slope, margin, punch, torque_limit, speed_limit, real)
     with _watching(live, real) as tell:
-        record = _record(machine, arm, path, settings, setup, (), real, baud, tell)
+        record = _record(machine, arm, path, settings, setup, (), real, baud, tell, drop)
     if trace:
         try:
             trace.write_text(
@@ -300,6 +302,7 @@ def _record(
     real: str | None,
     baud: int,
     tell: "Tell | None",
+    drop: float = 0.0,
 ) -> "Record":
     """A run, emulated or real; after a Ctrl-C the torque is off, and so it is said."""
     from kinlab.errors import UsageError
@@ -310,7 +313,7 @@ def _record(
     try:
         if real:
             return Port(real, baud).drive(arm, path, settings, setup, tell)
-        return drive(machine, arm, path, settings, setup, pushes, tell)
+        return drive(machine, arm, path, settings, setup, pushes, tell, drop)
     except KeyboardInterrupt:
         typer.echo("kinlab: interrupted; the torque is off", err=True)
         raise typer.Exit(130) from None

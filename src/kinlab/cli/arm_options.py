@@ -41,3 +41,4 @@ TorqueLimit = Annotated[
 ]
 SpeedLimit = Annotated[float, typer.Option(help="The highest speed they are told, deg/s.")]
 Live = Annotated[bool, typer.Option("--live", help="Watch it in real time.")]
+Drop = Annotated[float, typer.Option(help="The chance that the emulated wire loses a byte.")]

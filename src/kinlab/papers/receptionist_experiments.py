@@ -7,6 +7,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from kinlab.control import Environment, PositionGains, SecondOrder
+from kinlab.dynamixel import Faults
+from kinlab.errors import UsageError
 from kinlab.kinematics.resolved_motion import Track
 from kinlab.papers.receptionist_line import misprint_note, singularities
 from kinlab.rig.arm import ArmServos, Push, Record, RunawayError, Settings, Setup, run
@@ -97,10 +99,20 @@ def drive(
     setup: Setup,
     pushes: Sequence[Push] = (),
     tell: Tell | None = None,
+    drop: float = 0.0,
 ) -> Record:
-    """One run on the emulated bus; the torque is off afterwards."""
+    """One run on the emulated bus, which loses bytes by chance once the arm moves; the torque is off afterwards.
+
+    Raises:
+        UsageError: `drop` is no chance.
+        KinlabError: the loop runs away, or a servo falls silent.
+    """
+    if not 0 <= drop < 1:
+        raise UsageError(f"the chance that a byte is lost is at least 0 and less than 1, got {drop}")
     with ArmServos.emulated(robot, limb, track.q[0].tolist(), pushes, setup) as servos:
         servos.hold()
+        if drop and isinstance(servos.bus.port, TappedPort):
+            servos.bus.port.chain.faults = Faults(drop=drop)
         return run(servos, track, settings, tell)
 
 
