@@ -7,9 +7,12 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from kinlab.control import Environment, PositionGains, SecondOrder
+from kinlab.dynamics import Mechanism
 from kinlab.dynamixel import Faults
 from kinlab.errors import UsageError
 from kinlab.kinematics.resolved_motion import Track
+from kinlab.papers import receptionist_torques
+from kinlab.papers.equations import NONE
 from kinlab.papers.receptionist_line import misprint_note, singularities
 from kinlab.rig.arm import ArmServos, Push, Record, RunawayError, Settings, Setup, run
 from kinlab.rig.arm.loop import KGF_CM, TABLE_4_1
@@ -192,7 +195,22 @@ def free_motion(settings: Settings, record: Record) -> Outcome:
         f"the filter of alpha {settings.alpha:g} lags by {settings.dt * (1 / settings.alpha - 1):.2f} s; "
         f"unfiltered it would be {unfiltered:.2f} kgf cm, dry friction in the gears and the arm's swinging",
     )
-    return Outcome("compliance in free motion", {"free": record}, (claim,))
+    return Outcome("compliance in free motion", {"free": record}, (claim,), (_simplified(record),))
+
+
+def _simplified(record: Record) -> str:
+    """What the paper's own torque equations miss along the line."""
+    arm, track = Mechanism.of(record.limb), record.track
+    every = frozenset(m.equation for m in receptionist_torques.MISPRINTS)
+    said = []
+    for how, printed in (("as printed", every), ("corrected", NONE)):
+        off = (
+            np.abs(receptionist_torques.missed(arm, track.q, track.qd, track.qdd, printed)).max(axis=0)
+            / KGF_CM
+        )
+        joints = ", ".join(f"{joint} {v:.2f}" for joint, v in zip(record.limb.joint_names, off, strict=True))
+        said.append(f"{how} up to {joints}")
+    return f"the paper's simplified torques (3.26) to (3.36) miss, in kgf cm: {'; '.join(said)}"
 
 
 def _fighting(record: Record) -> float:

@@ -9,7 +9,7 @@ in the balance.
 import numpy as np
 from numpy.typing import ArrayLike
 
-from kinlab.dynamics import GRAVITY
+from kinlab.dynamics import GRAVITY, Mechanism, inverse_dynamics
 from kinlab.kinematics import chain
 from kinlab.kinematics.transforms import Array
 from kinlab.papers.equations import NONE, Misprint, Printed
@@ -80,3 +80,17 @@ def torques(
     about_z = m1 * GRAVITY * C1[..., 1] + F21[..., 1] * B[..., 0] - F21[..., 0] * B[..., 1]
     pitch = about_z if "3.31" in printed else about_z + m1 * L1**2 / 3 * qdd[..., 0] + elbow
     return np.stack([pitch, roll, elbow], axis=-1)
+
+
+def missed(
+    mechanism: Mechanism, q: ArrayLike, qd: ArrayLike, qdd: ArrayLike, printed: Printed = NONE
+) -> Array:
+    """What the equations miss of the servos' torques (..., 3), in N m: Newton-Euler's less theirs.
+
+    Args:
+        mechanism: the arm, whose lengths and masses they are given; see `torques` for the rest.
+    """
+    upper, fore = np.linalg.norm(mechanism.links[1:], axis=1).tolist()
+    masses = (float(mechanism.mass[1]), float(mechanism.mass[2]))
+    theirs = torques(q, qd, qdd, (upper, fore), masses, printed)
+    return np.asarray(inverse_dynamics(mechanism, q, qd, qdd) - theirs)
