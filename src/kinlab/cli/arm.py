@@ -1,27 +1,31 @@
 """`kinlab arm`: the receptionist's arm follows a line, yields to a hand, and observes what pushes it."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from kinlab.cli.arm_bench import (
+    Bench,
+    answer,
+    arm_of,
+    compliance_of,
+    line_of,
+    record_of,
+    setup_of,
+    under_compliance,
+)
 from kinlab.cli.arm_options import (
-    Alpha,
     Baud,
     Csv,
-    Denv,
     Drop,
     EnvironmentName,
-    Kenv,
-    Kf,
     Kp,
     Kv,
     Live,
     Margin,
-    Menv,
     Profile,
     Punch,
-    Pushes,
     Real,
     Slope,
     SpeedLimit,
@@ -31,12 +35,7 @@ from kinlab.cli.arm_options import (
 from kinlab.cli.command import JsonOption, LimbOption, NumericCommand, RobotsOption, command_app, print_json
 
 if TYPE_CHECKING:
-    from kinlab.kinematics.resolved_motion import Track
-    from kinlab.papers.receptionist_experiments import Outcome, Tell
-    from kinlab.rig.arm import Push, Record, Settings, Setup
-    from kinlab.robots import Limb, Robot
-
-REAL_TORQUE = 0.4
+    from kinlab.papers.receptionist_experiments import Outcome
 
 app = command_app()
 
@@ -83,6 +82,7 @@ def _track(
     json: JsonOption = False,
 ) -> None:
     """Follow a straight line without a position controller, or with one."""
+    from kinlab.cli.arm_tables import watching
     from kinlab.control import PositionGains
     from kinlab.errors import FileError, UsageError
     from kinlab.papers.receptionist_experiments import one_cycle, tracking
@@ -90,12 +90,12 @@ def _track(
 
     if law.casefold() == "compliance":
         raise UsageError("compliance is what `kinlab arm comply` is for")
-    machine, arm = _arm_of(robots, limb)
-    path = _line(arm, profile, start, end, seconds)
+    machine, arm = arm_of(robots, limb)
+    path = line_of(arm, profile, start, end, seconds)
     settings = Settings(law, PositionGains(kp, kv), running_sum=summed)
-    setup = _setup(slope, margin, punch, torque_limit, speed_limit, real)
-    with _watching(live, real) as tell:
-        record = _record(machine, arm, path, settings, setup, (), real, baud, tell, drop)
+    setup = setup_of(slope, margin, punch, torque_limit, speed_limit, real)
+    with watching(live, real is not None) as tell:
+        record = record_of(machine, arm, path, settings, setup, (), real, baud, tell, drop)
     if trace:
         try:
             trace.write_text(
@@ -103,7 +103,7 @@ def _track(
             )
         except OSError as error:
             raise FileError(f"{trace}: cannot be written: {error.strerror}") from None
-    _answer(tracking(machine, arm, path, settings, setup, record), "error", csv, json)
+    answer(tracking(machine, arm, path, settings, setup, record), "error", csv, json)
 
 
 @app.command(
@@ -111,87 +111,24 @@ def _track(
     cls=NumericCommand,
     epilog='Example: kinlab arm comply --push "t=0.5 dur=0.4 at=hand force=0,-5,0"',
 )
-def _comply(
-    push: Pushes = None,
-    environment: EnvironmentName = "table-4.1",
-    kf: Kf = None,
-    kenv: Kenv = None,
-    denv: Denv = None,
-    menv: Menv = None,
-    kp: Kp = 3.8,
-    kv: Kv = 0.2,
-    summed: Summed = False,
-    alpha: Alpha = 0.05,
-    profile: Profile = "steps",
-    slope: Slope = 64,
-    margin: Margin = 0,
-    punch: Punch = 32,
-    torque_limit: TorqueLimit = 1.0,
-    speed_limit: SpeedLimit = 700.0,
-    real: Real = None,
-    baud: Baud = 1_000_000,
-    live: Live = False,
-    csv: Csv = None,
-    limb: LimbOption = None,
-    robots: RobotsOption = None,
-    json: JsonOption = False,
-) -> None:
+@under_compliance
+def _comply(bench: Bench) -> "tuple[Outcome, str]":
     """Be pushed on the line, without compliance and with it (section 4.2.2). A real arm is run with it alone."""
     from kinlab.papers.receptionist_experiments import PUSH, pushed, pushed_by_people
 
-    machine, arm = _arm_of(robots, limb)
-    path = _line(arm, profile, None, None, 1.28)
-    settings = _compliance(environment, (kf, kenv, denv, menv), (kp, kv), summed, alpha)
-    setup = _setup(slope, margin, punch, torque_limit, speed_limit, real)
-    with _watching(live, real) as tell:
-        if real:
-            record = _record(machine, arm, path, settings, setup, _pushes(push), real, baud, tell)
-            outcome = pushed_by_people(record)
-        else:
-            outcome = pushed(machine, arm, path, settings, setup, _pushes(push) or (PUSH,), tell)
-    _answer(outcome, "error", csv, json)
+    if bench.real:
+        return pushed_by_people(bench.record()), "error"
+    return pushed(*bench[:5], bench.pushes or (PUSH,), bench.tell), "error"
 
 
 @app.command("observe", cls=NumericCommand, epilog="Example: kinlab arm observe --profile quintic")
-def _observe(
-    push: Pushes = None,
-    environment: EnvironmentName = "table-4.1",
-    kf: Kf = None,
-    kenv: Kenv = None,
-    denv: Denv = None,
-    menv: Menv = None,
-    kp: Kp = 3.8,
-    kv: Kv = 0.2,
-    summed: Summed = False,
-    alpha: Alpha = 0.05,
-    profile: Profile = "steps",
-    slope: Slope = 64,
-    margin: Margin = 0,
-    punch: Punch = 32,
-    torque_limit: TorqueLimit = 1.0,
-    speed_limit: SpeedLimit = 700.0,
-    real: Real = None,
-    baud: Baud = 1_000_000,
-    live: Live = False,
-    csv: Csv = None,
-    limb: LimbOption = None,
-    robots: RobotsOption = None,
-    json: JsonOption = False,
-) -> None:
+@under_compliance
+def _observe(bench: Bench) -> "tuple[Outcome, str]":
     """Measured torque against computed torque in free motion (section 4.2.1); pushed, what the observers find."""
     from kinlab.papers.receptionist_experiments import free_motion, observing
 
-    machine, arm = _arm_of(robots, limb)
-    path = _line(arm, profile, None, None, 1.28)
-    settings = _compliance(environment, (kf, kenv, denv, menv), (kp, kv), summed, alpha)
-    setup = _setup(slope, margin, punch, torque_limit, speed_limit, real)
-    pushes = _pushes(push)
-    with _watching(live, real) as tell:
-        record = _record(machine, arm, path, settings, setup, pushes, real, baud, tell)
-    if pushes:
-        _answer(observing(record), "pushes", csv, json)
-    else:
-        _answer(free_motion(settings, record), "torque", csv, json)
+    record = bench.record()
+    return (observing(record), "pushes") if bench.pushes else (free_motion(bench.settings, record), "torque")
 
 
 @app.command(
@@ -226,8 +163,8 @@ def _map(
     from kinlab.rig.arm import Setup
     from kinlab.rig.arm.stability import scale, settings_for, sweep
 
-    machine, arm = _arm_of(robots, limb)
-    base = _compliance(environment, (None,) * 4, (kp, kv), summed, 0.05)
+    machine, arm = arm_of(robots, limb)
+    base = compliance_of(environment, (None,) * 4, (kp, kv), summed, 0.05)
     axes = [
         (name, scale(span, count)) for name, span, count in zip((x, y), (x_range, y_range), size, strict=True)
     ]
@@ -237,95 +174,3 @@ def _map(
         print_json(found.to_json())
     else:
         show_map(found)
-
-
-def _arm_of(robots: Path | None, limb: str | None) -> "tuple[Robot, Limb]":
-    from kinlab.robots import load_robot
-
-    machine = load_robot("receptionist-arm", robots)
-    return machine, machine.limb(limb)
-
-
-def _line(arm: "Limb", profile: str, start: Any, end: Any, seconds: float) -> "Track":
-    from kinlab.papers.receptionist_line import FROM, TO, line
-    from kinlab.units import check_place, to_metres
-
-    places = []
-    for given, printed, what in ((start, FROM, "--from"), (end, TO, "--to")):
-        if given is not None:
-            check_place(given, what)
-        places.append(printed if given is None else to_metres(given))
-    return line(arm, profile, places[0], places[1], seconds)
-
-
-def _compliance(name: str, own: Any, gains: Any, summed: bool, alpha: float) -> "Settings":
-    from kinlab.control import PositionGains
-    from kinlab.names import resolve
-    from kinlab.papers.receptionist_experiments import ENVIRONMENTS
-    from kinlab.rig.arm import Settings
-
-    printed = ENVIRONMENTS[resolve(name, ENVIRONMENTS, "set of environment gains")]
-    changed = {k: v for k, v in zip(printed._fields, own, strict=True) if v is not None}
-    return Settings("compliance", PositionGains(*gains), printed._replace(**changed), summed, alpha)
-
-
-def _setup(
-    slope: int, margin: int, punch: int, torque_limit: float, speed_limit: float, real: str | None
-) -> "Setup":
-    from kinlab.rig.arm import Setup
-    from kinlab.units import to_radians
-
-    # Nobody knows yet how a real arm takes these gains.
-    limit = min(torque_limit, REAL_TORQUE) if real else torque_limit
-    return Setup(slope, margin, punch, limit, to_radians(speed_limit))
-
-
-def _pushes(texts: list[str] | None) -> "tuple[Push, ...]":
-    from kinlab.rig.arm import parse_push
-
-    return tuple(parse_push(text) for text in texts or ())
-
-
-def _watching(live: bool, real: str | None) -> Any:
-    from kinlab.cli.arm_tables import watching
-
-    return watching(live, real is not None)
-
-
-def _record(
-    machine: "Robot",
-    arm: "Limb",
-    path: "Track",
-    settings: "Settings",
-    setup: "Setup",
-    pushes: "tuple[Push, ...]",
-    real: str | None,
-    baud: int,
-    tell: "Tell | None",
-    drop: float = 0.0,
-) -> "Record":
-    """A run, emulated or real; after a Ctrl-C the torque is off, and so it is said."""
-    from kinlab.errors import UsageError
-    from kinlab.papers.receptionist_experiments import Port, drive
-
-    if real and pushes:
-        raise UsageError("a real arm is pushed by hand; --push is for the emulated one")
-    try:
-        if real:
-            return Port(real, baud).drive(arm, path, settings, setup, tell)
-        return drive(machine, arm, path, settings, setup, pushes, tell, drop)
-    except KeyboardInterrupt:
-        typer.echo("kinlab: interrupted; the torque is off", err=True)
-        raise typer.Exit(130) from None
-
-
-def _answer(outcome: "Outcome", plot: str, csv: Path | None, json: bool) -> None:
-    from kinlab.cli.arm_tables import show_outcome
-
-    if csv:
-        for i, (name, record) in enumerate(outcome.runs.items()):
-            record.to_csv(csv if i == 0 else csv.with_stem(f"{csv.stem}-{name}"))
-    if json:
-        print_json(outcome.to_json())
-    else:
-        show_outcome(outcome, plot)
