@@ -36,8 +36,8 @@ if TYPE_CHECKING:
     from kinlab.rig.arm import Push, Record, Settings, Setup
     from kinlab.robots import Limb, Robot
 
-# Nobody knows yet how a real arm takes these gains: this share of its torque at most.
-REAL_TORQUE = 0.4
+# Nobody knows yet how a real arm takes these gains: this share of its torque, and this speed (deg/s), at most.
+REAL_TORQUE, REAL_SPEED = 0.4, 200.0
 
 
 class Bench(NamedTuple):
@@ -138,12 +138,13 @@ def compliance_of(name: str, own: Any, gains: Any, summed: bool, alpha: float) -
 def setup_of(
     slope: int, margin: int, punch: int, torque_limit: float, speed_limit: float, real: str | None
 ) -> "Setup":
-    """The servos, which give less torque where they are real."""
+    """How the servos are set up; real ones give less and go slower."""
     from kinlab.rig.arm import Setup
     from kinlab.units import to_radians
 
-    limit = min(torque_limit, REAL_TORQUE) if real else torque_limit
-    return Setup(slope, margin, punch, limit, to_radians(speed_limit))
+    if real:
+        torque_limit, speed_limit = min(torque_limit, REAL_TORQUE), min(speed_limit, REAL_SPEED)
+    return Setup(slope, margin, punch, torque_limit, to_radians(speed_limit))
 
 
 def pushes_of(texts: list[str] | None) -> "tuple[Push, ...]":

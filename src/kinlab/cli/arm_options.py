@@ -39,6 +39,6 @@ Baud = Annotated[int, typer.Option(help="Speed of the real bus, bps.")]
 TorqueLimit = Annotated[
     float, typer.Option(help="The most torque of the servos, share of stall. Real: 0.4 at most.")
 ]
-SpeedLimit = Annotated[float, typer.Option(help="The highest speed they are told, deg/s.")]
+SpeedLimit = Annotated[float, typer.Option(help="The highest speed they are told, deg/s. Real: 200 at most.")]
 Live = Annotated[bool, typer.Option("--live", help="Watch it in real time.")]
 Drop = Annotated[float, typer.Option(help="The chance that the emulated wire loses a byte.")]

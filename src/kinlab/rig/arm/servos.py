@@ -126,6 +126,12 @@ class ArmServos:
             self.release()
         finally:
             self.bus.close()
+        if self.unconfirmed:
+            why = "interrupted" if isinstance(error, KeyboardInterrupt) else str(error or "the run is over")
+            ids = ", ".join(map(str, self.unconfirmed))
+            raise KinlabError(
+                f"{why}; no word from servo {ids} that its torque is off: cut the power"
+            ) from error
 
     def hold(self) -> None:
         """Set the servos up and switch the torque on, with every joint where it is.
@@ -144,6 +150,7 @@ class ArmServos:
 
     def release(self) -> None:
         """Switch the torque off: all servos in one packet, then each again until it says so."""
+        self.unconfirmed = tuple(self.ids)
         with suppress(PortError):
             self.bus.sync_write("torque_enable", dict.fromkeys(self.ids, 0))
             self.unconfirmed = tuple(i for i in self.ids if not self._off(i))
