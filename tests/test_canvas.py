@@ -1,6 +1,6 @@
 """Drawing with characters."""
 
-from kinlab.canvas import Canvas
+from kinlab.canvas import Canvas, chart
 
 
 def _square(**settings: bool) -> Canvas:
@@ -87,3 +87,27 @@ def test_a_picture_of_a_single_point_is_possible():
     canvas = Canvas(10, 5, [(3.0, 3.0)])
     canvas.mark((3.0, 3.0), "x", "")
     assert "x" in canvas.text()
+
+
+def test_a_chart_names_its_curves_and_spans_their_ranges():
+    rising = [(float(i), float(i)) for i in range(10)]
+    falling = [(float(i), 9.0 - i) for i in range(10)]
+    canvas, across, up = chart({"up": rising, "down": falling}, 60, 9)
+    assert across == (0.0, 9.0)
+    assert up == (0.0, 9.0)
+    rows = canvas.text().splitlines()
+    assert next(i for i, row in enumerate(rows) if "up" in row) < next(
+        i for i, row in enumerate(rows) if "down" in row
+    )
+
+
+def test_a_gap_in_a_curve_stays_a_gap():
+    whole, _, _ = chart({"a": [(0.0, 1.0), (1.0, 1.0), (2.0, 1.0), (3.0, 1.0)]}, 40, 5)
+    broken, _, _ = chart({"a": [(0.0, 1.0), (1.0, float("nan")), (2.0, 1.0), (3.0, 1.0)]}, 40, 5)
+    assert len(broken.text().replace(" ", "")) < len(whole.text().replace(" ", ""))
+
+
+def test_a_flat_curve_and_a_single_point_are_possible():
+    for points in ([(0.0, 0.0), (1.0, 0.0)], [(2.0, 5.0)]):
+        canvas, _, _ = chart({"a": points}, 30, 5)
+        assert "a" in canvas.text()

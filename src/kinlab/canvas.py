@@ -4,7 +4,8 @@ A dot is as wide as high on a terminal whose cells are twice as high as wide, so
 both directions and nothing looks stretched.
 """
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from itertools import pairwise
 
 _DOTS = ((0x01, 0x08), (0x02, 0x10), (0x04, 0x20), (0x40, 0x80))
 _ASCII_LINE = "*"
@@ -41,8 +42,9 @@ class Canvas:
         (x0, y0), (x1, y1) = self._dot(start), self._dot(end)
         steps = max(int(max(abs(x1 - x0), abs(y1 - y0))), 1)
         for i in range(steps + 1):
-            if not dashed or i % 6 < 3:
-                self._set(round(x0 + (x1 - x0) * i / steps), round(y0 + (y1 - y0) * i / steps), role)
+            if dashed and i % 6 >= 3:
+                continue
+            self._set(round(x0 + (x1 - x0) * i / steps), round(y0 + (y1 - y0) * i / steps), role)
 
     def fill(self, inside: Callable[[float, float], bool], role: str) -> None:
         """Every dot whose place (x, y) is `inside`."""
@@ -125,9 +127,35 @@ class Canvas:
             self._roles[row, column] = role
 
 
-def beside(left: Sequence[str], right: Sequence[str], gap: int = 2) -> list[str]:
-    """Two blocks of text next to each other."""
-    width = max(map(len, left), default=0)
-    count = max(len(left), len(right))
-    rows = zip([*left, *[""] * (count - len(left))], [*right, *[""] * (count - len(right))], strict=True)
-    return [f"{a:<{width}}{' ' * gap}{b}".rstrip() for a, b in rows]
+def chart(
+    series: Mapping[str, Sequence[Point]], columns: int, rows: int, *, ascii_only: bool = False
+) -> tuple[Canvas, tuple[float, float], tuple[float, float]]:
+    """Curves over one another, each named where it ends: the canvas, and the ranges that x and y fill.
+
+    The axes have scales of their own. Zero of y is in sight, dashed. A gap in a curve is a point that is not a number.
+
+    Args:
+        series: by name, the points of each curve, x ascending.
+        columns, rows: of the field, in characters.
+        ascii_only: without braille.
+    """
+    real = [p for points in series.values() for p in points if p[1] == p[1]]
+    low_x, high_x = min(x for x, _ in real), max(x for x, _ in real)
+    low_y, high_y = min(0.0, *(y for _, y in real)), max(0.0, *(y for _, y in real))
+    # In dots, with room for the names at the right.
+    width = 2.0 * (columns - max(map(len, series)) - 3) - 6
+    height = 4.0 * rows - 6
+    across, up = width / max(high_x - low_x, 1e-300), height / max(high_y - low_y, 1e-300)
+    canvas = Canvas(columns, rows, [(0.0, 0.0), (2.0 * columns - 6, height)], ascii_only=ascii_only)
+    zero = -low_y * up
+    canvas.line((0.0, zero), (width, zero), "axis", dashed=True)
+    for i, (name, points) in enumerate(series.items()):
+        role = f"link{i % 3}"
+        places = [((x - low_x) * across, (y - low_y) * up) for x, y in points]
+        for start, end in pairwise(places):
+            if start[1] == start[1] and end[1] == end[1]:
+                canvas.line(start, end, role)
+        last = next((p for p in reversed(places) if p[1] == p[1]), None)
+        if last is not None:
+            canvas.label(last, name, role)
+    return canvas, (low_x, high_x), (low_y, high_y)

@@ -38,7 +38,8 @@ def test_the_four_experiments_print_the_verdict_beside_the_claim(kinlab):
         assert run.code == 0
         line = next(row for row in run.out.splitlines() if claim in row)
         assert verdict in line
-        assert "━━ elbow" in run.out
+        assert "elbow" in run.out
+        assert "y -" in run.out
 
 
 def test_json_has_the_claims_and_every_cycle(kinlab):

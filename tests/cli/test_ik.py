@@ -222,3 +222,52 @@ def test_servos_can_be_left_out(kinlab):
     assert "2XL430" not in kinlab("ik", "xl430-hexapod", 75, 10, -46, "--no-servos").out
     found = kinlab("ik", "xl430-hexapod", 75, 10, -46, "--no-servos", "--json").json
     assert found["solutions"][0]["servos"] == {}
+
+
+def test_a_method_beyond_the_limits_does_not_make_a_target_unreachable(kinlab):
+    """rmrc folds the knee the other way here; the closed form gets there within the limits."""
+    answer = kinlab("ik", "udiebot", 166.39, 99.37, 16.81, "--method", "rmrc", "--json")
+    assert answer.code == 1
+    assert answer.json["reachable"] is True
+    assert answer.json["chosen"] is None
+    assert answer.json["method"]["converged"]
+    assert answer.json["method"]["within_limits"] is False
+    assert "there is a solution within the limits: knee-up" in answer.json["reason"]
+
+
+def test_compare_fails_where_no_method_stays_within_the_limits(kinlab):
+    answer = kinlab("ik", "receptionist-arm", 0, -10, -65, "--compare", "--json")
+    assert answer.code == 1
+    assert not any(run["within_limits"] for run in answer.json["methods"])
+
+
+def test_a_place_in_reach_with_another_attitude_is_said_to_be_that(kinlab):
+    found = kinlab("ik", "eros", 0, 0, -250.9, "--rpy", 0, 30, 0, "--json").json
+    assert found["reachable"] is False
+    assert "not with this attitude" in found["reason"]
+
+
+@pytest.mark.parametrize(
+    ("args", "says"),
+    [
+        (("--rpy", 0, 0), "--rpy takes 3 values, got 0 0"),
+        (("--json", "--limb"), "--limb takes a value, got none"),
+        (("--compare", "--method", "lm"), "--compare shows every method by itself"),
+        (("--yaw", "inf"), "finite"),
+    ],
+)
+def test_options_that_lack_a_value_or_make_no_sense_together_are_named(kinlab, args, says):
+    answer = kinlab("ik", "eros", 0, 0, -235, *args)
+    assert answer.code == 2
+    assert says in answer.err
+
+
+def test_a_minus_sign_from_a_printed_page_is_a_minus(kinlab):
+    found = kinlab("ik", "xl430-hexapod", "75", "\N{MINUS SIGN}10", "\N{MINUS SIGN}46", "--json").json
+    assert found["target_mm"] == [75, -10, -46]
+
+
+def test_measured_errors_stand_beside_what_the_paper_prints_of_them(kinlab):
+    shown = kinlab("ik", "xl430-hexapod", 75, 0, -60).out
+    assert "1.56, 1.56, 0.67" in shown
+    assert "Table 4 prints 1.56, 0.88, 0.78" in shown

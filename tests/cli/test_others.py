@@ -144,3 +144,40 @@ def test_tour_walks_all_five_papers(kinlab):
     assert shown.code == 0
     assert all(name in shown.out for name in ROBOTS)
     assert "82.40" in shown.out
+
+
+PLANAR = """
+robots:
+  planar:
+    arm:
+      shoulder: 100
+      elbow: 80
+      joints:
+        - {name: shoulder, axis: z, link: {x: shoulder}}
+        - {name: elbow, axis: z, link: {x: elbow}}
+      members:
+        arm: {at: [0, 0, 0]}
+"""
+
+
+def test_a_planar_arm_has_a_workspace_too(kinlab, tmp_path):
+    path = tmp_path / "planar.yaml"
+    path.write_text(PLANAR)
+    assert kinlab("workspace", "planar", "--robots", path).code == 0
+    found = kinlab("workspace", "planar", "--robots", path, "--json").json
+    assert found["farthest_mm"] == pytest.approx(180, abs=0.5)
+
+
+def test_tour_walks_kinlabs_own_robots_whatever_the_variable_says(kinlab, tmp_path, monkeypatch):
+    path = tmp_path / "broken.yaml"
+    path.write_text("robots: nonsense")
+    monkeypatch.setenv("KINLAB_ROBOTS", str(path))
+    assert kinlab("tour").code == 0
+
+
+def test_a_body_without_a_stance_is_told_what_is_missing(kinlab, tmp_path):
+    path = tmp_path / "planar.yaml"
+    path.write_text(PLANAR)
+    answer = kinlab("body", "planar", "--robots", path)
+    assert answer.code == 2
+    assert "no group of its limbs has a stance" in answer.err

@@ -62,6 +62,11 @@ def receive(client, count, seconds=10.0):
     return data
 
 
+def patient(name):
+    """A master that asks again and again where the machine is too busy to answer in time."""
+    return Bus(str(name), retries=50)
+
+
 def read(fd, count, seconds=10.0):
     """That many bytes from a descriptor that does not block."""
     end, data = time.monotonic() + seconds, b""
@@ -137,6 +142,12 @@ class TestPty:
                 time.sleep(0.002)
             assert port.read(6) == PONG
 
+    def test_a_packet_swallowed_by_a_false_beginning_is_answered_after_a_pause(self, serve):
+        _, link, _ = serve()
+        with serial.Serial(str(link), 1_000_000, timeout=10) as port:
+            port.write(b"\xff\xff\x05\x40" + PING)
+            assert port.read(6) == PONG
+
     def test_clients_that_come_and_go(self, serve):
         _, link, _ = serve()
         for _ in range(10):
@@ -185,7 +196,7 @@ class TestPty:
     def test_the_master_of_this_house(self, serve):
         _, link, address = serve()
         for name in (str(link), "{}:{}".format(*address)):
-            with Bus(name) as bus:
+            with patient(name) as bus:
                 assert bus.ping(2).model == "AX-12A"
                 bus.write(2, "goal_position", "100deg")
                 assert bus.read(2, "goal_position") == 341
@@ -232,7 +243,8 @@ class TestTcp:
                 for _ in range(20):
                     good.sendall(PING)
                     assert receive(good, 6) == PONG
-            slow.sendall(PING[2:])
+            # Its two bytes may be forgotten by now, as a servo forgets them; a whole packet is answered.
+            slow.sendall(PING)
             assert receive(slow, 6) == PONG
         finally:
             stop.set()
@@ -264,7 +276,7 @@ def test_traffic_is_shown_to_whom_it_may_concern(serve):
 def test_a_change_of_the_eeprom_is_reported_once(serve):
     changes = []
     server, link, _ = serve(after_change=lambda: changes.append(server.chain.eeprom_writes))
-    with Bus(str(link)) as bus:
+    with patient(link) as bus:
         bus.write(1, "led", 1)
         bus.write(1, "max_torque", 500)
         bus.read(1, "max_torque")
@@ -305,13 +317,13 @@ def test_a_second_emulate_on_the_same_link_is_refused(emulate):
     done = subprocess.run(command, capture_output=True, text=True, timeout=60)
     assert done.returncode == 1
     assert "there already" in done.stderr
-    with Bus(str(link)) as bus:
+    with patient(link) as bus:
         assert bus.ping(1).id == 1
 
 
 def test_emulate_breaks_servos_on_purpose(emulate):
     faults = ("--fault", "1:overload", "--fault", "2:dead", "--fault", "3:baud 57600")
-    with Bus(str(emulate("--servo", "AX-12A:1-4", *faults, "--volts", "11.1"))) as bus:
+    with patient(emulate("--servo", "AX-12A:1-4", *faults, "--volts", "11.1")) as bus:
         assert bus.read(4, "present_voltage") == 111
         assert bus.read(1, "torque_limit") == 0
         assert bus.alarms[1] == ["overload"]
@@ -321,9 +333,9 @@ def test_emulate_breaks_servos_on_purpose(emulate):
 def test_emulate_keeps_its_eeprom(emulate, tmp_path):
     store = tmp_path / "eeprom.json"
     link = emulate("--servo", "AX-12A:1", "--eeprom", str(store))
-    with Bus(str(link)) as bus:
+    with patient(link) as bus:
         bus.write(1, "id", 42)
     emulate.running[0].terminate()
     emulate.running[0].communicate(timeout=10)
-    with Bus(str(emulate("--servo", "AX-12A:1", "--eeprom", str(store)))) as bus:
+    with patient(emulate("--servo", "AX-12A:1", "--eeprom", str(store))) as bus:
         assert bus.ping(42).id == 42

@@ -1,40 +1,37 @@
-import numpy as np
+"""A hexapod on an emulated chain in simulated time, and short walks of it."""
+
+from collections.abc import Callable
+
 import pytest
 
-import kinlab
-from kinlab.kinematics.profile import PROFILES
-from kinlab.kinematics.resolved_motion import follow, straight_line
-from kinlab.rig.arm import ArmServos
-
-START = np.radians([45.0, 0.0, 147.5])
+from kinlab.gait import find_gait
+from kinlab.rig import Errand, Order, Record, Rig, prepare, walk_on
+from kinlab.robots import Robot, load_robot
 
 
 @pytest.fixture(scope="session")
-def robot():
-    return kinlab.load_robot("receptionist-arm")
-
-
-@pytest.fixture(scope="session")
-def limb(robot):
-    return robot.limb()
-
-
-@pytest.fixture(scope="session")
-def line(limb):
-    """The paper's 20 cm forwards, one cycle a step."""
-    tip = limb.fk(START)[:3, 3]
-    _, points = straight_line(tip, tip + np.array([0.2, 0, 0]), PROFILES["steps"], 1.28, 0.016)
-    return follow(limb.axes, limb.links, START, points, 0.016)
-
-
-@pytest.fixture(scope="session")
-def stay(limb):
-    """Two seconds at a pose away from limits and singularities."""
-    q = np.array([0.5, 0.2, 1.0])
-    return follow(limb.axes, limb.links, q, np.tile(limb.fk(q)[:3, 3], (125, 1)), 0.016)
+def krsri() -> Robot:
+    """Eighteen AX-12A."""
+    return load_robot("krsri-hexapod")
 
 
 @pytest.fixture
-def arm_at(robot, limb):
-    """An emulated arm at the first point of a track."""
-    return lambda track, *pushes, **more: ArmServos.emulated(robot, limb, track.q[0].tolist(), pushes, **more)
+def errand(krsri) -> Callable[..., Errand]:
+    """An order of a short walk, in mm and mm/s."""
+
+    def make(gait: str = "tripod", speed: float = 40, distance: float = 60, rate: float = 50, robot=krsri):
+        return prepare(Order(robot, find_gait(robot, gait), speed / 1000, 0.0, distance / 1000, rate))
+
+    return make
+
+
+@pytest.fixture
+def walked() -> Callable[..., Record]:
+    """What a rig measures on an errand; `meddle` may do something to the rig before."""
+
+    def walk(errand: Errand, meddle: Callable[[Rig], None] = lambda rig: None) -> Record:
+        with Rig.open(errand.order.robot) as rig:
+            meddle(rig)
+            return Record(rig.wiring, list(walk_on(rig, errand)))
+
+    return walk

@@ -84,12 +84,15 @@ def _track(
     """Follow a straight line without a position controller, or with one."""
     from kinlab.cli.arm_tables import watching
     from kinlab.control import PositionGains
-    from kinlab.errors import FileError, UsageError
+    from kinlab.errors import UsageError
+    from kinlab.files import check_writable, write_whole
     from kinlab.papers.receptionist_experiments import one_cycle, tracking
     from kinlab.rig.arm import Settings
 
     if law.casefold() == "compliance":
         raise UsageError("compliance is what `kinlab arm comply` is for")
+    for file in filter(None, (csv, trace)):
+        check_writable(file)
     machine, arm = arm_of(robots, limb)
     path = line_of(arm, profile, start, end, seconds)
     settings = Settings(law, PositionGains(kp, kv), running_sum=summed)
@@ -97,12 +100,7 @@ def _track(
     with watching(live, real is not None) as tell:
         record = record_of(machine, arm, path, settings, setup, (), real, baud, tell, drop)
     if trace:
-        try:
-            trace.write_text(
-                one_cycle(machine, arm, path, settings, setup, len(path.q) // 2), encoding="utf-8"
-            )
-        except OSError as error:
-            raise FileError(f"{trace}: cannot be written: {error.strerror}") from None
+        write_whole(trace, one_cycle(machine, arm, path, settings, setup, len(path.q) // 2))
     answer(tracking(machine, arm, path, settings, setup, record), "error", csv, json)
 
 

@@ -87,7 +87,10 @@ def under_compliance(work: "Callable[[Bench], tuple[Outcome, str]]") -> Callable
         json: JsonOption = False,
     ) -> None:
         from kinlab.cli.arm_tables import watching
+        from kinlab.files import check_writable
 
+        if csv:
+            check_writable(csv)
         machine, arm = arm_of(robots, limb)
         path = line_of(arm, profile, None, None, 1.28)
         settings = compliance_of(environment, (kf, kenv, denv, menv), (kp, kv), summed, alpha)

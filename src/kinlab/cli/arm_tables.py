@@ -9,8 +9,7 @@ from typing import TYPE_CHECKING
 from rich.console import Group, RenderableType
 from rich.text import Text
 
-from kinlab.cli.charts import chart
-from kinlab.cli.show import console, number, sentences, show, table
+from kinlab.cli.show import console, number, plotted, sentences, show, table
 
 if TYPE_CHECKING:
     from kinlab.papers.receptionist_experiments import Outcome, Tell
@@ -49,19 +48,17 @@ def _bus(record: "Record") -> str:
 def plots(record: "Record", plot: str, name: str) -> list[RenderableType]:
     """The charts that belong to an experiment: "error", "torque" or "pushes"."""
     columns = {key: values.tolist() for key, values in record.columns().items()}
-    t, joints = columns["t_s"], record.limb.joint_names
 
-    def curves(kind: str, unit: str) -> dict[str, list[float]]:
-        return {joint: columns[f"{kind}_{joint}_{unit}"] for joint in joints}
+    def curves(kind: str, unit: str) -> dict[str, list[tuple[float, float]]]:
+        names = record.limb.joint_names
+        return {j: list(zip(columns["t_s"], columns[f"{kind}_{j}_{unit}"], strict=True)) for j in names}
 
     if plot == "error":
-        gap = {}
-        for joint in joints:
-            both = zip(columns[f"command_{joint}_deg"], columns[f"real_{joint}_deg"], strict=True)
-            gap[joint] = [command - real for command, real in both]
-        return [chart(f"{name}: command less position", "deg", t, gap)]
+        return plotted(f"{name}: command less position", curves("error", "deg"), "s", "deg")
     kinds = {"torque": ("filtered", "dynamic"), "pushes": ("pushed", "reaction", "external")}[plot]
-    return [chart(f"{name}: {kind} torque", "N m", t, curves(kind, "nm"), 7) for kind in kinds]
+    return [
+        part for kind in kinds for part in plotted(f"{name}: {kind} torque", curves(kind, "nm"), "s", "N m")
+    ]
 
 
 @contextmanager

@@ -5,7 +5,7 @@ from typing import Any
 from rich.text import Text
 
 from kinlab.cli.printed import printed_table
-from kinlab.cli.show import place, sentences, show, table
+from kinlab.cli.show import fixed, place, sentences, show, table
 from kinlab.robots.body import Stand
 
 
@@ -26,7 +26,7 @@ def show_answer(answer: Stand, printed: Any, *, asked: bool) -> None:
         foot = place(leg["foot_mm"], 2)
         if leg["reachable"]:
             commands = ", ".join("-" if c is None else str(c) for c in leg["commands"].values())
-            angles = ", ".join(f"{a:.2f}" for a in leg["angles_deg"].values())
+            angles = ", ".join(fixed(a, 2) for a in leg["angles_deg"].values())
             found.add_row(name, foot, angles, commands or "not printed")
         else:
             found.add_row(Text(name, style="bold red"), foot, "not reachable", "-")

@@ -7,11 +7,15 @@ from pathlib import Path
 from typing import Annotated, Any, get_args, get_origin
 
 import typer
+
+# Typer's insides, which its version is held below 0.30 for: what a parameter's value goes through.
 from typer._click.exceptions import BadParameter
 from typer._coercion import RuntimeParam
 from typer.core import TyperCommand
 
-_NUMBER = re.compile(r"[+-]?(\d|[.,]\d|inf|nan)", re.IGNORECASE)
+from kinlab.errors import UsageError
+
+_NUMBER = re.compile(r"[+\N{MINUS SIGN}-]?(\d|[.,]\d|inf|nan)", re.IGNORECASE)
 
 
 def complete_robot(incomplete: str) -> list[str]:
@@ -31,6 +35,11 @@ RobotArgument = Annotated[
 ]
 LimbOption = Annotated[str | None, typer.Option("--limb", "-l", help="The limb. Default: the robot's first.")]
 FrameOption = Annotated[str, typer.Option("--frame", "-f", help="Axes of the numbers: limb, body or paper.")]
+GaitOption = Annotated[
+    str | None, typer.Option("--gait", "-g", metavar="NAME", help="Default: the first of the robot's kind.")
+]
+SpeedOption = Annotated[float, typer.Option("--speed", metavar="MM_S", help="Forwards, in mm/s.")]
+TurnOption = Annotated[float, typer.Option("--turn", metavar="DEG_S", help="To the left, in deg/s.")]
 JsonOption = Annotated[
     bool, typer.Option("--json", help="One JSON document on standard output, nothing else.")
 ]
@@ -54,8 +63,11 @@ def _convert(value: Any, annotation: Any, param: Any, ctx: Any) -> Any:
         kinds = kinds if get_origin(annotation) is tuple else kinds * len(value)
         return [_convert(v, kind, param, ctx) for v, kind in zip(value, kinds, strict=True)]
     if annotation in (float, int) and isinstance(value, str):
-        text = value.replace(",", ".") if annotation is float else value
+        text = value.replace("\N{MINUS SIGN}", "-")
+        text = text.replace(",", ".") if annotation is float else text
         try:
+            if "_" in text:
+                raise ValueError
             return annotation(text)
         except ValueError:
             what = "a number" if annotation is float else "a whole number"
@@ -97,6 +109,9 @@ class NumericCommand(TyperCommand):
             options.append(token)
             # Only an option given by its exact name, without "=", takes the tokens that follow it.
             wanted = takes.get(token, 0)
+            if len(rest) < wanted or "--" in rest[:wanted]:
+                values_word = "a value" if wanted == 1 else f"{wanted} values"
+                raise UsageError(f"{token} takes {values_word}, got {' '.join(rest[:wanted]) or 'none'}")
             options += rest[:wanted]
             del rest[:wanted]
         return super().parse_args(ctx, [*options, "--", *values])
@@ -115,8 +130,3 @@ def command_app() -> typer.Typer:
 def print_json(document: Any) -> None:
     """The one JSON document on standard output."""
     typer.echo(json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False))
-
-
-def warn(message: str) -> None:
-    """A note beside the answer, on standard error."""
-    typer.echo(f"kinlab: {message}", err=True)

@@ -16,6 +16,8 @@ COMMANDS = {
     "fk": "joint angles as the position and attitude of the tip",
     "body": "every leg's joints for a pose of the body over fixed feet",
     "workspace": "how far a limb reaches, and where it cannot",
+    "gait": "a gait phase by phase: which legs swing, which carry, how safely, how fast at most",
+    "walk": "the gait on the servos: joint speeds, loads, tracking error, energy; sweeps and comparisons",
     "arm": "the receptionist's arm follows a line, yields to a hand, and observes what pushes it",
     "packet": "Dynamixel packets byte by byte, at a prompt, on an emulated chain or a real bus",
     "emulate": "an emulated servo chain for other programs, on a pty or TCP",
@@ -50,7 +52,7 @@ app = typer.Typer(
     cls=LazyGroup,
     rich_markup_mode=None,
     pretty_exceptions_enable=False,
-    no_args_is_help=True,
+    invoke_without_command=True,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
 
@@ -63,6 +65,7 @@ def _version(wanted: bool) -> None:
 
 @app.callback(epilog="Start with: kinlab tour")
 def _root(
+    ctx: typer.Context,
     version: Annotated[
         bool, typer.Option("--version", "-V", callback=_version, is_eager=True, help="Show the version.")
     ] = False,
@@ -72,6 +75,8 @@ def _root(
     Pick a robot, give a target in millimetres, and see the joint angles, the
     servo ticks, and how far off the foot lands.
     """
+    if ctx.invoked_subcommand is None:
+        typer.echo(ctx.get_help())
 
 
 kinlab = typer.main.get_command(app)

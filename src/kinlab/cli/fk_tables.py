@@ -6,7 +6,7 @@ from rich.table import Table
 from rich.text import Text
 
 from kinlab.cli.printed import printed_table
-from kinlab.cli.show import drawing, number, place, show, table
+from kinlab.cli.show import drawing, fixed, number, place, show, table
 from kinlab.robots.tip import PoseOfTip
 
 
@@ -23,7 +23,7 @@ def show_answer(answer: PoseOfTip, *, dh: bool, jacobian: bool, printed: Any) ->
         show(Text(f"beyond the limits: {'; '.join(answer.outside)}", style="bold red"))
     attitude = table("attitude of the tip", ("x", ""), ("y", ""), ("z", ""))
     for row in found["rotation"]:
-        attitude.add_row(*(f"{v:.6f}" for v in row))
+        attitude.add_row(*(fixed(v, 6) for v in row))
     show("", attitude)
     if jacobian:
         show("", _jacobian(answer))
@@ -39,13 +39,13 @@ def show_answer(answer: PoseOfTip, *, dh: bool, jacobian: bool, printed: Any) ->
 
 def _jacobian(answer: PoseOfTip) -> Table:
     found = table(
-        f"Jacobian, manipulability {answer.manipulability:.4g}",
+        f"Jacobian, v in m/rad and w in rad/rad; manipulability {answer.manipulability:.4g}",
         "row",
         *((j, "") for j in answer.limb.joint_names),
     )
-    names = [f"v{a} [m/rad]" for a in "xyz"] + [f"w{a} [rad/rad]" for a in "xyz"]
+    names = [f"v{a}" for a in "xyz"] + [f"w{a}" for a in "xyz"]
     for name, row in zip(names, answer.jacobian, strict=True):
-        found.add_row(name, *(f"{v + 0.0:.6f}" for v in row))
+        found.add_row(name, *(fixed(v, 6) for v in row))
     return found
 
 

@@ -6,7 +6,7 @@ from rich.table import Table
 from rich.text import Text
 
 from kinlab.cli.printed import printed_table
-from kinlab.cli.show import drawing, number, place, show, table
+from kinlab.cli.show import drawing, fixed, place, sentences, show, table
 from kinlab.papers import AsPrinted, measured
 from kinlab.papers import as_printed as evaluate
 from kinlab.robots import Limb
@@ -27,10 +27,11 @@ def show_answer(
     if answer.chosen is None:
         verdict = "not reached" if answer.reachable else "not reachable"
         show(Text(f"{verdict}: {answer.reason}", style="bold red"))
-    if answer.nearest is not None:
-        show(
-            f"nearest reachable point: {place(answer.place_mm(answer.nearest))} mm, {answer.missed_mm:.3f} mm away"
-        )
+    if answer.nearest is not None and answer.missed_mm < 1e-6:
+        show("With its attitude left free, the tip reaches the place.")
+    elif answer.nearest is not None:
+        nearest = place(answer.place_mm(answer.nearest))
+        show(f"nearest reachable point: {nearest} mm, {answer.missed_mm:.3f} mm away")
     chosen = None if answer.chosen is None else answer.poses[answer.chosen]
     for pose in answer.poses:
         if every or chosen is None or pose is chosen:
@@ -65,7 +66,7 @@ def angles_table(answer: TargetReport, pose: PoseReport, *, servos: bool = True)
         if servo is not None:
             command = "beyond its range" if servo.command is None else f"{servo.command} {servo.unit}"
             cells = [f"{servo.model}, id {servo.id}", f"{servo.servo_deg:.3f}", command]
-        found.add_row(joint, f"{angle:.4f}", *(cells if servos else ()))
+        found.add_row(joint, fixed(angle, 4), *(cells if servos else ()))
     return found
 
 
@@ -92,10 +93,11 @@ def errors_table(answer: TargetReport, pose: PoseReport, printed: tuple[AsPrinte
     if paper is None:
         found.add_row("as the paper measured", "-", "it measured no tip of this limb")
     else:
-        x, y, z = (number(v, 2) for v in paper.axes_mm)
-        found.add_row(
-            "as the paper measured", f"{paper.error_mm:.4f}", f"{paper.where}: x {x}, y {y}, z {z} mm off"
+        measured_mm, printed_mm = (
+            ", ".join(f"{v:.2f}" for v in values) for values in (paper.axes_mm, paper.printed_mm)
         )
+        note = f"{paper.where}: {measured_mm} on x, y, z; Table 4 prints {printed_mm}"
+        found.add_row("as the paper measured", f"{paper.error_mm:.2f}", note)
     return found
 
 
@@ -115,7 +117,7 @@ def _joints(limb: Limb) -> str:
 
 
 def _angles(limb: Limb, q: Any) -> str:
-    return ", ".join(f"{a:.3f}" for a in angles_deg(limb, q).values())
+    return ", ".join(fixed(a, 3) for a in angles_deg(limb, q).values())
 
 
 def show_comparison(report: MethodComparison) -> None:
@@ -129,14 +131,20 @@ def show_comparison(report: MethodComparison) -> None:
         _joints(report.limb),
         "outcome",
     )
+    why = []
     exact = report.closed
     if exact is None:
-        found.add_row("closed form", "", "", "", report.no_closed_form)
+        found.add_row("closed form", "", "", "", "none")
+        why.append(("closed form:", report.no_closed_form))
     else:
         angles = _angles(report.limb, exact.q)
         found.add_row("closed form", "0", f"{exact.error_m * 1000:.1e}", angles, exact.name)
     for run in report.runs:
-        angles = _angles(report.limb, run.q)
-        ended = outcome(report.limb, run)
-        found.add_row(run.method, str(run.iterations), f"{run.residual_m * 1000:.1e}", angles, ended)
+        ended, reason = outcome(report.limb, run)
+        residual = f"{run.residual_m * 1000:.1e}"
+        found.add_row(run.method, str(run.iterations), residual, _angles(report.limb, run.q), ended)
+        if reason:
+            why.append((f"{run.method}:", reason))
     show("", found)
+    if why:
+        show("", sentences(*why))

@@ -17,6 +17,7 @@ class Footnotes:
 
     def __init__(self) -> None:
         self.texts: list[str] = []
+        self.starred = ""
 
     def mark(self, data: dict[str, Any]) -> Text:
         """`printed 3` for a figure's source; the note itself stands below."""
@@ -61,6 +62,8 @@ def show_robot(robot: Robot) -> None:
             show("", _servos(name, limbs, notes))
     show("", Text("where from, and why", style="italic"))
     show(sentences(*((str(i), text) for i, text in enumerate(notes.texts, 1))))
+    if notes.starred:
+        show(sentences(("*", notes.starred)))
 
 
 def _figures(title: str, figures: list[dict[str, Any]], notes: Footnotes) -> Table:
@@ -76,21 +79,21 @@ def _joints(name: str, limb: dict[str, Any], notes: Footnotes) -> Table:
     how = (
         f"solved in closed form, as a {limb['closed_form']}" if limb["closed_form"] else "solved by iteration"
     )
-    found = table(
-        f"{name}: joints, {how}", "joint", "axis", ("link", "mm"), ("limits", "deg"), "source", ("mass", "g")
-    )
+    columns: list[str | tuple[str, str]] = ["joint", "axis", ("link", "mm"), ("limits", "deg"), "source"]
+    weighed = any(joint["mass"] is not None for joint in limb["joints"])
+    found = table(f"{name}: joints, {how}", *columns, *([("mass", "g")] if weighed else []))
     for joint in limb["joints"]:
-        low, high = joint["limits_deg"]
-        mass = "not printed" if joint["mass_g"] is None else number(joint["mass_g"])
-        link = place(joint["link_mm"])
-        found.add_row(
-            joint["joint"],
-            place(joint["axis"]),
-            link,
-            f"{number(low)} to {number(high)}",
-            notes.mark(joint["limits"]),
-            mass,
-        )
+        ends = [
+            f"{number(end, 1)}{'*' if servo else ''}"
+            for end, servo in zip(joint["limits_deg"], joint["set_by_servo"], strict=True)
+        ]
+        if any(joint["set_by_servo"]):
+            notes.starred = "the end of the servo's range, short of the limit of the source"
+        mass = Text("not printed")
+        if joint["mass"] is not None:
+            mass = Text(f"{number(joint['mass_g'])} ").append(notes.mark(joint["mass"]))
+        cells = [joint["joint"], _axis_name(joint["axis"]), place(joint["link_mm"]), " to ".join(ends)]
+        found.add_row(*cells, notes.mark(joint["limits"]), *([mass] if weighed else []))
     return found
 
 
@@ -119,7 +122,10 @@ def _places(name: str, limbs: list[dict[str, Any]], notes: Footnotes) -> Table:
 
 
 def _axis_name(direction: list[float]) -> str:
+    """`-y` for an axis of the frame, its components for any other."""
     i = max(range(3), key=lambda k: abs(direction[k]))
+    if abs(direction[i]) != 1:
+        return place(direction)
     return f"{'-' if direction[i] < 0 else ''}{'xyz'[i]}"
 
 

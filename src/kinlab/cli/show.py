@@ -1,12 +1,13 @@
 """How answers look: tables, places, drawings. Rich is imported here and in nothing that `--json` needs."""
 
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from rich.console import Console, Group, RenderableType
 from rich.table import Table
 from rich.text import Text
 
-from kinlab.canvas import Canvas
+from kinlab.canvas import Canvas, chart
 from kinlab.robots.drawing import draw_limb
 from kinlab.robots.model import Limb
 from kinlab.robots.workspace import Section
@@ -43,10 +44,12 @@ def table(title: str, *columns: str | tuple[str, str]) -> Table:
     found = Table(title=title, box=None, pad_edge=False, padding=(0, 3, 0, 0))
     for column in columns:
         if isinstance(column, tuple):
-            name, unit = column
-            found.add_column(Text(f"{name} [{unit}]" if unit else name), justify="right", no_wrap=True)
+            found.add_column(Text("\n".join(filter(None, column))), justify="right", no_wrap=True)
         else:
-            found.add_column(column, overflow="fold", min_width=min(len(column), 12))
+            # A name that stands first is what a reader looks for: it is not folded.
+            found.add_column(
+                column, overflow="fold", no_wrap=not found.columns, min_width=min(len(column), 12)
+            )
     return found
 
 
@@ -63,6 +66,11 @@ def sentences(*rows: tuple[str, str]) -> Table:
 def place(values: Any, digits: int = 3) -> str:
     """A place for reading: `(75, 10, -46)`, without zeros that say nothing."""
     return "(" + ", ".join(number(v, digits) for v in values) + ")"
+
+
+def fixed(value: float, digits: int) -> str:
+    """A number with exactly `digits` decimals, without a minus before nothing."""
+    return f"{round(value, digits) + 0.0:.{digits}f}"
 
 
 def number(value: float, digits: int = 3) -> str:
@@ -113,3 +121,14 @@ def section(name: str, cut: Section, limb: Limb) -> list[RenderableType]:
     canvas.mark((0.0, 0.0), "o" if canvas.ascii_only else "●", "joint")
     scale = f"{name}, {cut.plane}; one character is {number(canvas.cell_width * 1000, 1)} mm wide"
     return [Text(scale, style="italic"), picture(canvas)]
+
+
+def plotted(
+    title: str, series: Mapping[str, Sequence[tuple[float, float]]], x: str, y: str
+) -> list[RenderableType]:
+    """Curves under a line that says what they are, in which units, and what the field spans."""
+    out = console()
+    plain = not out.encoding.lower().startswith("utf")
+    canvas, across, up = chart(series, min(78, out.width), 9, ascii_only=plain)
+    spans = f"x {number(across[0])} to {number(across[1])} {x}, y {number(up[0])} to {number(up[1])} {y}"
+    return [Text(f"{title}; {spans}", style="italic"), picture(canvas)]

@@ -2,10 +2,14 @@
 
 import re
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from kinlab.dynamixel.chain import Chain
 from kinlab.dynamixel.tables import load_table, models
 from kinlab.errors import UsageError
+
+if TYPE_CHECKING:
+    from kinlab.robots import Robot
 
 Modules = list[tuple[str, list[int]]]
 
@@ -64,8 +68,16 @@ def robot_modules(robot: str, file: Path | None = None) -> Modules:
     """
     from kinlab.robots import load_robot
 
+    return worn_by(load_robot(robot, file))
+
+
+def worn_by(machine: "Robot") -> Modules:
+    """The modules that a robot's servos make up, in the order of their ids.
+
+    Raises:
+        UsageError: it has none, or they are not of Dynamixel models.
+    """
     by_model: list[tuple[str, list[int]]] = []
-    machine = load_robot(robot, file)
     if not machine.servos:
         raise UsageError(f"{machine.name} names no servos")
     for servo in machine.servos:

@@ -15,7 +15,7 @@ _LEG_AXES = ((0, 0, 1), (0, -1, 0), (0, -1, 0))
 _HUMANOID_AXES = ((0, 0, 1), (1, 0, 0), (0, 1, 0), (0, 1, 0), (0, 1, 0), (1, 0, 0))
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class ClosedForm:
     """A closed-form inverse: `names` of its solutions, and what target it needs.
 

@@ -39,7 +39,7 @@ class Step(NamedTuple):
     note: str
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Solution:
     """What a method came to.
 

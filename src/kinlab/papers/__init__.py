@@ -1,6 +1,7 @@
 """What the papers print, evaluated as it stands, beside what is true."""
 
 from kinlab.papers.as_printed import as_printed, body_as_printed, fk_as_printed
+from kinlab.papers.footsteps import FootstepAsPrinted, footstep_as_printed
 from kinlab.papers.measurements import Measured, measured
 from kinlab.papers.results import AsPrinted, BodyAsPrinted, Fault, FkAsPrinted
 
@@ -9,9 +10,11 @@ __all__ = [
     "BodyAsPrinted",
     "Fault",
     "FkAsPrinted",
+    "FootstepAsPrinted",
     "Measured",
     "as_printed",
     "body_as_printed",
     "fk_as_printed",
+    "footstep_as_printed",
     "measured",
 ]

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from kinlab.papers.as_printed import AsPrinted, as_printed
-from kinlab.robots import load_robots
+from kinlab.robots.load import shipped_robots
 from kinlab.robots.target import TargetReport, solve_target
 from kinlab.units import to_metres
 
@@ -52,7 +52,7 @@ TARGETS = (
 
 def tour() -> list[Stop]:
     """The stops of the tour, one for each paper, with KinLab's own robots."""
-    robots = load_robots()
+    robots = shipped_robots()
     stops = []
     for name, limb_name, target, unit, frame, where in TARGETS:
         robot = robots[name]

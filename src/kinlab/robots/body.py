@@ -9,14 +9,14 @@ from numpy.typing import ArrayLike
 from kinlab.errors import UsageError
 from kinlab.kinematics.body import feet_from_body
 from kinlab.kinematics.leg import leg_ik
-from kinlab.kinematics.transforms import Array, apply, rpy_to_rotation
+from kinlab.kinematics.transforms import Array, rpy_to_rotation
 from kinlab.robots.inverse import inverse_kinematics
 from kinlab.robots.model import Robot
 from kinlab.robots.target import angles_deg, read_servos, solve_target
 from kinlab.units import check_place, finite
 
 
-@dataclass(frozen=True, repr=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class BodyPose:
     """A pose of the body, or many (...), and what its L legs of n joints do for it.
 
@@ -57,16 +57,18 @@ def body_pose(robot: Robot, xyz: ArrayLike, rpy: ArrayLike, feet: ArrayLike | No
     return legs_ik(robot, feet_from_body(feet, xyz, R), R)
 
 
-def legs_ik(robot: Robot, feet: ArrayLike, turned: ArrayLike | None = None) -> BodyPose:
+def legs_ik(
+    robot: Robot, feet: ArrayLike, turned: ArrayLike | None = None, soles: ArrayLike | None = None
+) -> BodyPose:
     """Joint angles of all legs for feet (..., L, 3) in the body frame, metres.
 
     Equal three-joint legs are solved in one call, knee up, and only where that breaks a limit are the
-    other solutions looked for. The soles of six-joint legs stay level on the ground: `turned`
-    (..., 3, 3) is the attitude of the body over it.
+    other solutions looked for. The soles of six-joint legs lie on the ground: `turned` (..., 3, 3) is
+    the attitude of the body over it, `soles` (..., L, 3, 3) their own, level where not given.
     """
     feet = np.asarray(feet, float)
     legs, inverse = robot.legs, robot.leg_frames
-    local = apply(inverse, feet)
+    local = robot.to_legs(feet)
     names = tuple(leg.name for leg in legs)
     if robot.equal_legs is not None:
         q, reachable = leg_ik(local, *robot.equal_legs)
@@ -77,10 +79,15 @@ def legs_ik(robot: Robot, feet: ArrayLike, turned: ArrayLike | None = None) -> B
         raise UsageError(f"the legs of {robot.name} differ in their number of joints")
     level = None
     if turned is not None and len(legs[0].joints) >= 6:
-        level = np.swapaxes(np.asarray(turned, float), -1, -2)
+        level = np.swapaxes(np.asarray(turned, float), -1, -2)[..., None, :, :]
+        if soles is not None:
+            level = level @ np.asarray(soles, float)
+        level = np.broadcast_to(level, (*level.shape[:-3], len(legs), 3, 3))
     found = [
         inverse_kinematics(
-            leg, local[..., i, :], None if level is None else inverse[i, :3, :3] @ level @ leg.mount[:3, :3]
+            leg,
+            local[..., i, :],
+            None if level is None else inverse[i, :3, :3] @ level[..., i, :, :] @ leg.mount[:3, :3],
         )
         for i, leg in enumerate(legs)
     ]
@@ -89,7 +96,7 @@ def legs_ik(robot: Robot, feet: ArrayLike, turned: ArrayLike | None = None) -> B
     )
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Stand:
     """What `kinlab body` shows: the robot, the body's displacement (3,) in metres and rpy (3,) in rad, the legs."""
 

@@ -8,9 +8,11 @@ import numpy as np
 
 from kinlab.kinematics.transforms import Array, homogeneous, rotation
 from kinlab.names import suggestion
-from kinlab.robots.model import Joint, Limb, Robot
+from kinlab.robots.model import Joint, Limb, Robot, frozen
 from kinlab.robots.provenance import KINDS, UNSOURCED, Dimension, Provenance
 from kinlab.robots.schema import (
+    Area,
+    Current,
     Group,
     JointSpec,
     Length,
@@ -57,9 +59,19 @@ def build_servo_model(name: str, spec: ServoModelSpec) -> ServoModel:
         if getattr(spec, key) <= 0:
             raise SpecError((key,), f"expected a positive number, got {getattr(spec, key):g}")
     speed = spec.speed_rpm * 2 * np.pi / 60
-    return ServoModel(
-        name, spec.protocol, low, high, spec.deg_per_step, spec.torque_nm, speed, _source(spec, ())
+    model = ServoModel(
+        name, spec.protocol, low, high, spec.deg_per_step, spec.torque_nm, speed, provenance(spec, ())
     )
+    if spec.standby is None:
+        return model
+    place = ("standby",)
+    if isinstance(spec.standby, Current):
+        standby, source = spec.standby.ma, provenance(spec.standby, place)
+    else:
+        standby, source = spec.standby, UNSOURCED
+    if standby < 0:
+        raise SpecError(place, f"expected a current in mA, not below 0, got {standby:g}")
+    return replace(model, standby=standby / 1000, standby_source=source)
 
 
 def build_robot(name: str, spec: RobotSpec, models: dict[str, ServoModel]) -> Robot:
@@ -90,11 +102,20 @@ def build_robot(name: str, spec: RobotSpec, models: dict[str, ServoModel]) -> Ro
                     taken[key] = mine
             limbs[limb.name] = limb
     body = [_length(key, value, ("body", key)) for key, value in spec.body.items()]
+    mass, centre = None, np.zeros(3)
     if spec.mass is not None:
         body.append(_mass("mass", spec.mass, ("mass",)))
+        mass = body[-1].value / 1000  # type: ignore[operator]
+        parts = sum(joint.mass or 0.0 for limb in limbs.values() for joint in limb.joints)
+        if parts > mass:
+            raise SpecError(("mass",), f"the links alone weigh {parts * 1000:g} g")
+    if spec.centre is not None:
+        centre, source = _point(spec.centre, ("centre",))
+        body.append(Dimension("centre of mass", tuple(centre.tolist()), "mm", source))
     return Robot(
-        name, spec.title, spec.kind, spec.paper, MappingProxyType(limbs), tuple(body), tuple(spec.notes)
-    )
+        name, spec.title, spec.kind, spec.paper, MappingProxyType(limbs), tuple(body), tuple(spec.notes),
+        mass, tuple((centre / 1000).tolist()),
+    )  # fmt: skip
 
 
 def _limbs(name: str, group: Group, models: dict[str, ServoModel]) -> list[Limb]:
@@ -105,13 +126,24 @@ def _limbs(name: str, group: Group, models: dict[str, ServoModel]) -> list[Limb]
     stance = None
     if group.stance is not None:
         point, source = _point(group.stance, (name, "stance"))
-        stance = point / 1000
+        stance = frozen(point / 1000)
         dimensions.append(Dimension("stance", tuple(point.tolist()), "mm", source))
+    sole = None
+    if group.sole is not None:
+        area, source = (
+            (group.sole.mm, provenance(group.sole, (name, "sole")))
+            if isinstance(group.sole, Area)
+            else (group.sole, UNSOURCED)
+        )
+        if not all(0 < side <= LONGEST_MM for side in area):
+            raise SpecError((name, "sole"), "expected a length and a width in mm, above 0")
+        sole = (area[0] / 1000, area[1] / 1000)
+        dimensions.append(Dimension("sole", area, "mm", source))
     limbs = []
     for member_name, member in group.members.items():
         place = (name, "members", member_name)
         at, source = _point(member.at, (*place, "at"))
-        mount = homogeneous(rotation((0, 0, 1), np.radians(member.turn)), at / 1000)
+        mount = frozen(homogeneous(rotation((0, 0, 1), np.radians(member.turn)), at / 1000))
         axes = member.paper_axes or group.paper_axes
         axes_place = (*place, "paper_axes") if member.paper_axes else (name, "paper_axes")
         limbs.append(
@@ -124,6 +156,7 @@ def _limbs(name: str, group: Group, models: dict[str, ServoModel]) -> list[Limb]
                 stance,
                 *_paper_axes(axes, axes_place),
                 tuple(dimensions),
+                sole,
             )
         )
     return limbs
@@ -149,9 +182,12 @@ def _joints(
         used.update(term.removeprefix("-") for term in spec.link.values())
         lower, upper, source = _limits(group.limits.get(spec.name, _EVERYWHERE), (name, "limits", spec.name))
         mass = group.masses.get(spec.name)
-        kg = _mass(spec.name, mass, (name, "masses", spec.name)).value / 1000 if mass is not None else None  # type: ignore[operator]
+        kg, weighed = None, UNSOURCED
+        if mass is not None:
+            figure = _mass(spec.name, mass, (name, "masses", spec.name))
+            kg, weighed = figure.value / 1000, figure.source  # type: ignore[operator]
         axis = _axis(spec.axis, (name, "joints", i, "axis"))
-        joints.append(Joint(spec.name, axis, link, lower, upper, source, mass=kg))
+        joints.append(Joint(spec.name, axis, link, lower, upper, source, mass=kg, mass_source=weighed))
     if not used:
         raise SpecError((name, "joints"), "a limb needs at least one link")
     for key in figures:
@@ -210,7 +246,7 @@ def _servos(
             raise SpecError((*there, joint.name, "model"), f"no servo model is named '{spec.model}'{near}")
         if not 0 <= number <= 252:
             raise SpecError((*place, "ids"), f"expected a servo id of 0 to 252, got {number}")
-        source = _source(spec, (*there, joint.name))
+        source = provenance(spec, (*there, joint.name))
         worn.append(replace(joint, servo=Servo(number, models[spec.model], spec.zero, spec.sign, source)))
     for key in mounting:
         if key not in [j.name for j in joints]:
@@ -219,30 +255,39 @@ def _servos(
     return tuple(worn)
 
 
-def _source(spec: Sourced, place: tuple[Any, ...]) -> Provenance:
+def provenance(spec: Sourced, place: tuple[Any, ...]) -> Provenance:
+    """Where a figure comes from, of what its file says.
+
+    Raises:
+        SpecError: two sources at once.
+    """
     given = [(kind, getattr(spec, kind)) for kind in KINDS if getattr(spec, kind) is not None]
     if len(given) > 1:
         names = " and ".join(kind for kind, _ in given)
         raise SpecError(place, f"a figure has one source, not {names} at once")
+    if given and not given[0][1].strip():
+        raise SpecError((*place, given[0][0]), "a source needs words: the place, or the reason")
     return Provenance(*given[0]) if given else UNSOURCED  # type: ignore[arg-type]
 
 
 def _length(name: str, spec: float | Length, place: tuple[Any, ...]) -> Dimension:
-    value, source = (spec.mm, _source(spec, place)) if isinstance(spec, Length) else (float(spec), UNSOURCED)
+    value, source = (
+        (spec.mm, provenance(spec, place)) if isinstance(spec, Length) else (float(spec), UNSOURCED)
+    )
     if not 0 < value <= LONGEST_MM:
         raise SpecError(place, f"expected a length in mm, above 0 and at most {LONGEST_MM:g}, got {value:g}")
     return Dimension(name, value, "mm", source)
 
 
 def _mass(name: str, spec: float | Mass, place: tuple[Any, ...]) -> Dimension:
-    value, source = (spec.g, _source(spec, place)) if isinstance(spec, Mass) else (float(spec), UNSOURCED)
+    value, source = (spec.g, provenance(spec, place)) if isinstance(spec, Mass) else (float(spec), UNSOURCED)
     if value <= 0:
         raise SpecError(place, f"expected a mass in g, above 0, got {value:g}")
     return Dimension(name, value, "g", source)
 
 
 def _point(spec: Point | tuple[float, float, float], place: tuple[Any, ...]) -> tuple[Array, Provenance]:
-    values, source = (spec.mm, _source(spec, place)) if isinstance(spec, Point) else (spec, UNSOURCED)
+    values, source = (spec.mm, provenance(spec, place)) if isinstance(spec, Point) else (spec, UNSOURCED)
     point = np.array(values, dtype=float)
     if (np.abs(point) > LONGEST_MM).any():
         raise SpecError(place, f"expected a place within {LONGEST_MM:g} mm")
@@ -250,7 +295,9 @@ def _point(spec: Point | tuple[float, float, float], place: tuple[Any, ...]) -> 
 
 
 def _limits(spec: Range | tuple[float, float], place: tuple[Any, ...]) -> tuple[float, float, Provenance]:
-    (low, high), source = (spec.deg, _source(spec, place)) if isinstance(spec, Range) else (spec, UNSOURCED)
+    (low, high), source = (
+        (spec.deg, provenance(spec, place)) if isinstance(spec, Range) else (spec, UNSOURCED)
+    )
     if low >= high:
         raise SpecError(place, f"the limits are inside out: {low:g} is not below {high:g}")
     return float(np.radians(low)), float(np.radians(high)), source
@@ -274,4 +321,4 @@ def _paper_axes(spec: PaperAxes | None, place: tuple[Any, ...]) -> tuple[Array, 
     columns = [_axis(getattr(spec, paper), place) for paper in "xyz"]
     if len({axis[-1] for axis in (spec.x, spec.y, spec.z)}) != 3:
         raise SpecError(place, "the paper's three axes must lie along three different axes of the limb")
-    return np.array(columns).T, _source(spec, place)
+    return frozen(np.array(columns).T), provenance(spec, place)

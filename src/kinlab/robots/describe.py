@@ -40,7 +40,9 @@ def _limb(limb: Limb) -> dict[str, Any]:
                 "axis": list(joint.axis),
                 "link_mm": [v * 1000 for v in joint.link],
                 "mass_g": None if joint.mass is None else joint.mass * 1000,
-                "limits_deg": [float(np.degrees(joint.lower)), float(np.degrees(joint.upper))],
+                "mass": None if joint.mass is None else _source(joint.mass_source),
+                "limits_deg": [round(float(v), 9) for v in np.degrees(limits)],
+                "set_by_servo": [limits[0] > joint.lower, limits[1] < joint.upper],
                 "limits": _source(joint.limit_source),
                 "servo": None
                 if joint.servo is None
@@ -52,7 +54,7 @@ def _limb(limb: Limb) -> dict[str, Any]:
                     **_source(joint.servo.source),
                 },
             }
-            for joint in limb.joints
+            for joint, limits in zip(limb.joints, limb.limits.T.tolist(), strict=True)
         ],
     }
 

@@ -25,6 +25,8 @@ T = TypeVar("T")
 _EXPECTED = {
     "mm": "a length in mm",
     "g": "a mass in g",
+    "ma": "a current in mA",
+    "standby": "a current in mA",
     "deg": "an angle in deg",
     "zero": "an angle in deg",
     "turn": "an angle in deg",
@@ -37,6 +39,10 @@ _EXPECTED = {
     "axis": f"{', '.join(get_args(Axis))} or three numbers",
     "kind": f"one of {', '.join(get_args(Kind))}",
     "protocol": f"one of {', '.join(get_args(Protocol))}",
+    "sole": "a length and a width [x, y] in mm",
+    "centre": "a place [x, y, z] in mm",
+    "duty": "a fraction such as 5/6",
+    "touchdown": "a phase of touch-down for each leg",
 }
 _TYPES = {
     "object": "a mapping", "array": "a list", "str": "a text", "float": "a number", "int": "a whole number",
@@ -61,7 +67,7 @@ class Document:
         """The document at `path`, shown as `name`.
 
         Raises:
-            FileError: it cannot be read, is no plain YAML, or holds other than robots and servo models.
+            FileError: it cannot be read, is no plain YAML, or holds other than robots, servo models and gaits.
         """
         document = cls(name, yaml_source.parse(yaml_source.read_text(path), name))
         for key, value in document.tree.items():
@@ -97,7 +103,7 @@ class Document:
         except msgspec.ValidationError as error:
             problem, _, trail = str(error).partition(" - at `$")
             place = tuple(_follow(data, kind, trail.rstrip("`"), str(error)))
-            raise self._complaint(at, place, problem) from None
+            raise self._complaint(at, kind, place, problem) from None
 
     def robot(self, name: str) -> RobotSpec:
         """The robot of that name, checked; its free keys gathered into groups of limbs, and theirs into lengths."""
@@ -123,11 +129,11 @@ class Document:
         fixed = {k: v for k, v in data.items() if k in fields}
         return self.convert({**fixed, "groups": groups}, RobotSpec, at)
 
-    def _complaint(self, at: Place, place: Place, problem: str) -> FileError:
+    def _complaint(self, at: Place, kind: type[Any], place: Place, problem: str) -> FileError:
         keys = tuple(k for k in place if k not in GATHERED)
         if problem.startswith("Object contains unknown field"):
             field = problem.split("`")[1]
-            return self.error((*at, *keys, field), f"no such field{suggestion(field, _fields(place))}")
+            return self.error((*at, *keys, field), f"no such field{suggestion(field, _fields(kind, place))}")
         if problem.startswith("Object missing required field"):
             return self.error((*at, *keys), f"'{problem.split('`')[1]}' is missing")
         value = _value_at(self.tree, (*at, *keys))
@@ -137,7 +143,7 @@ class Document:
         return self.error((*at, *keys), f"expected {expected}, got {_quoted(value)}")
 
 
-SECTIONS = ("robots", "servo_models")
+SECTIONS = ("robots", "servo_models", "gaits")
 # Levels that the schema has and the file has not.
 GATHERED = ("groups", "lengths")
 
@@ -151,6 +157,8 @@ def _expected(place: Place, problem: str) -> str:
         return "a length in mm"
     if "limits" in names:
         return "two angles [lowest, highest] in deg"
+    if "touchdown" in names[:-1]:
+        return "a fraction of the cycle such as 1/6"
     if "paper_axes" in names[:-1]:
         return ", ".join(get_args(Axis))
     if names and names[-1] in _EXPECTED:
@@ -206,15 +214,16 @@ def _fails(data: Any, kind: Any, message: str) -> bool:
 
 # What stands under a key of a robot.
 _STRUCTS = {
-    "at": schema.Point, "body": schema.Length, "joints": schema.JointSpec, "lengths": schema.Length,
-    "limits": schema.Range, "mass": schema.Mass, "masses": schema.Mass, "members": schema.Member,
-    "mountings": schema.Mounting, "paper_axes": schema.PaperAxes, "stance": schema.Point,
+    "at": schema.Point, "body": schema.Length, "centre": schema.Point, "joints": schema.JointSpec,
+    "lengths": schema.Length, "limits": schema.Range, "mass": schema.Mass, "masses": schema.Mass,
+    "members": schema.Member, "mountings": schema.Mounting, "paper_axes": schema.PaperAxes, "sole": schema.Area,
+    "stance": schema.Point, "standby": schema.Current,
 }  # fmt: skip
 
 
-def _fields(place: Place) -> tuple[str, ...]:
-    """The fields of what stands at `place` of a robot; of a servo model where the place is empty."""
-    kind: Any = next((_STRUCTS[k] for k in reversed(place) if k in _STRUCTS), schema.ServoModelSpec)
+def _fields(top: type[Any], place: Place) -> tuple[str, ...]:
+    """The fields of what stands at `place`, below a struct of the kind `top`."""
+    kind: Any = next((_STRUCTS[k] for k in reversed(place) if k in _STRUCTS), top)
     return tuple(kind.__struct_fields__)
 
 

@@ -26,7 +26,7 @@ APART = 0.5
 FAR = 1e9
 
 
-@dataclass(frozen=True, repr=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Inverse:
     """Joint angles for targets (...).
 

@@ -39,9 +39,26 @@ def load_robots(file: str | os.PathLike[str] | None = None) -> dict[str, Robot]:
     return {name: source.robot(name) for name in source.names()}
 
 
+def shipped_robots() -> dict[str, Robot]:
+    """KinLab's own robots by name, whatever `$KINLAB_ROBOTS` says."""
+    shelf = _Shelf(_shipped_document())
+    return {name: shelf.robot(name) for name in shelf.names()}
+
+
 def robot_names(file: str | os.PathLike[str] | None = None) -> list[str]:
     """The names that `load_robot` takes, without building the robots."""
     return _Shelf.of(file).names()
+
+
+def documents(file: str | os.PathLike[str] | None = None) -> tuple[Document, ...]:
+    """The robots files in force, the last one winning: KinLab's own, and `file` (default `$KINLAB_ROBOTS`).
+
+    Raises:
+        FileError: a file cannot be read, or says something that it must not.
+    """
+    chosen = file or os.environ.get(VARIABLE)
+    own = _shipped_document()
+    return (own, Document.read(Path(chosen), str(chosen))) if chosen else (own,)
 
 
 class _Shelf:
@@ -53,14 +70,13 @@ class _Shelf:
 
     @classmethod
     def of(cls, file: str | os.PathLike[str] | None) -> "_Shelf":
-        chosen = file or os.environ.get(VARIABLE)
-        if not chosen:
-            return cls(_shipped_document())
-        own = Document.read(Path(chosen), str(chosen))
-        shelf = cls(_shipped_document(), own)
-        shelf.servo_models()
-        for name in own.tree.get("robots", {}):
-            shelf.robot(name)
+        ours, *users = documents(file)
+        shelf = cls(ours, *users)
+        if users:
+            shelf.servo_models()
+        for document in users:
+            for name in document.tree.get("robots", {}):
+                shelf.robot(name)
         return shelf
 
     def names(self) -> list[str]:

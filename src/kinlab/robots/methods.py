@@ -27,10 +27,12 @@ def attempt_target(limb: Limb, target: Array, method: str, rotation: Array | Non
     return found
 
 
-def outcome(limb: Limb, attempt: numeric.Solution) -> str:
-    """How a run ended, in words: where it converged, whether within the limits."""
-    beyond = beyond_limits(limb, attempt.q) if attempt.converged else ()
-    return f"converged beyond the limits: {', '.join(beyond)}" if beyond else attempt.reason
+def outcome(limb: Limb, attempt: numeric.Solution) -> tuple[str, str]:
+    """How a run ended: converged, beyond limits, or failed; and why, where it did not converge within them."""
+    if not attempt.converged:
+        return "failed", attempt.reason
+    beyond = beyond_limits(limb, attempt.q)
+    return ("beyond limits", ", ".join(beyond)) if beyond else ("converged", "")
 
 
 def attempt_json(limb: Limb, attempt: numeric.Solution) -> dict[str, Any]:
@@ -50,7 +52,7 @@ def attempt_json(limb: Limb, attempt: numeric.Solution) -> dict[str, Any]:
     }
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class MethodComparison:
     """One target through every numeric method, beside the closed form.
 

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -12,13 +12,22 @@ from kinlab.errors import UsageError
 from kinlab.kinematics import ClosedForm, chain, recognise
 from kinlab.kinematics.transforms import Array, apply, inverse
 from kinlab.names import resolve
-from kinlab.robots.provenance import Dimension, Provenance
+from kinlab.robots.provenance import UNSOURCED, Dimension, Provenance
 from kinlab.robots.servo import Servo
+
+if TYPE_CHECKING:
+    from kinlab.robots.inverse import Inverse
 
 FRAMES = ("limb", "body", "paper")
 # A solution this far (rad) outside a limit is on it: where a limb is stretched or folded, the rounding
 # of a target's last digit turns the joints by up to about 1e-7.
 LIMIT_SLACK = 2e-7
+
+
+def frozen(values: Array) -> Array:
+    """The array itself, which can no longer be written to."""
+    values.flags.writeable = False
+    return values
 
 
 @dataclass(frozen=True)
@@ -32,7 +41,8 @@ class Joint:
         lower, upper: limits of the angle, in rad.
         limit_source: where the limits come from.
         servo: what moves it, or None where the paper names no servo.
-        mass: of the link, in kg, or None where the paper prints none.
+        mass: of the link, in kg, or None where nobody gives one.
+        mass_source: where it comes from.
     """
 
     name: str
@@ -43,6 +53,7 @@ class Joint:
     limit_source: Provenance
     servo: Servo | None = None
     mass: float | None = None
+    mass_source: Provenance = UNSOURCED
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -59,6 +70,7 @@ class Limb:
         paper_axes: rotation or reflection (3, 3) that takes the paper's axes to the limb's.
         paper_source: where that comes from.
         dimensions: the figures that its links and its stance are made of.
+        sole: length and width of the foot below the tip, metres; None for limbs that stand on a point.
     """
 
     name: str
@@ -70,6 +82,7 @@ class Limb:
     paper_axes: Array
     paper_source: Provenance
     dimensions: tuple[Dimension, ...] = field(default=())
+    sole: tuple[float, float] | None = None
 
     def __repr__(self) -> str:
         return f"<Limb {self.name}: {' - '.join(j.name for j in self.joints)}>"
@@ -77,12 +90,12 @@ class Limb:
     @cached_property
     def axes(self) -> Array:
         """The joints' axes, (n, 3)."""
-        return np.array([j.axis for j in self.joints])
+        return frozen(np.array([j.axis for j in self.joints]))
 
     @cached_property
     def links(self) -> Array:
         """The links, (n, 3), in metres."""
-        return np.array([j.link for j in self.joints])
+        return frozen(np.array([j.link for j in self.joints]))
 
     @cached_property
     def limits(self) -> Array:
@@ -95,7 +108,7 @@ class Limb:
                 ends = np.radians([joint.servo.sign * (edge - joint.servo.zero_deg) for edge in (low, high)])
                 lower, upper = max(lower, ends.min()), min(upper, ends.max())
             both.append((lower, upper))
-        return np.array(both).T
+        return frozen(np.array(both).T)
 
     @cached_property
     def closed_form(self) -> ClosedForm | None:
@@ -130,7 +143,7 @@ class Limb:
         """The geometric Jacobian (..., 6, n) in the limb frame: m/rad, then rad/rad."""
         return chain.jacobian(self.axes, self.links, self._angles(q))
 
-    def ik(self, target: ArrayLike, rotation: ArrayLike | None = None) -> "Any":
+    def ik(self, target: ArrayLike, rotation: ArrayLike | None = None) -> "Inverse":
         """Joint angles for the tip at `target` (..., 3), metres, limb frame: see `kinlab.robots.inverse`.
 
         Args:
@@ -182,6 +195,8 @@ class Robot:
         limbs: by name, in the order of the file.
         dimensions: of the body, with sources.
         notes: what a reader must know about the figures.
+        mass: of the whole robot, kg; None where nobody gives one.
+        centre: of the mass that is not in a link with a mass of its own (3,), body frame, metres.
     """
 
     name: str
@@ -191,6 +206,8 @@ class Robot:
     limbs: Mapping[str, Limb]
     dimensions: tuple[Dimension, ...] = ()
     notes: tuple[str, ...] = ()
+    mass: float | None = None
+    centre: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
     def __repr__(self) -> str:
         limbs = ", ".join(f"{limb.name} ({len(limb.joints)})" for limb in self.limbs.values())
@@ -215,6 +232,28 @@ class Robot:
     def leg_frames(self) -> Array:
         """Transforms (L, 4, 4) from the body frame into each leg's limb frame."""
         return inverse(np.stack([leg.mount for leg in self.legs]))
+
+    def to_legs(self, feet: Array) -> Array:
+        """Feet (..., L, 3) from the body frame, each into the limb frame of its leg, metres.
+
+        Raises:
+            UsageError: not one foot for each leg.
+        """
+        if feet.shape[-2:] != (len(self.legs), 3):
+            raise UsageError(f"{self.name} has {len(self.legs)} legs, got feet of shape {feet.shape}")
+        turn, shift = self._leg_map
+        # One product for all legs at once is several times faster than one for each foot.
+        local = (feet.reshape(-1, len(shift)) @ turn + shift).reshape(feet.shape)
+        # It would carry one foot's NaN to the others.
+        return local if np.isfinite(local.sum()) else apply(self.leg_frames, feet)
+
+    @cached_property
+    def _leg_map(self) -> tuple[Array, Array]:
+        count = len(self.legs)
+        turn = np.zeros((count, 3, count, 3))
+        for i, frame in enumerate(self.leg_frames):
+            turn[i, :, i, :] = frame[:3, :3].T
+        return turn.reshape(3 * count, -1), self.leg_frames[:, :3, 3].ravel()
 
     @cached_property
     def standing_feet(self) -> Array:

@@ -29,6 +29,10 @@ class Point(Sourced):
     mm: tuple[float, float, float]
 
 
+class Area(Sourced):
+    mm: tuple[float, float]
+
+
 class Range(Sourced):
     deg: tuple[float, float]
 
@@ -39,12 +43,17 @@ class PaperAxes(Sourced):
     z: Axis
 
 
+class Current(Sourced):
+    ma: float
+
+
 class ServoModelSpec(Sourced):
     protocol: Protocol
     positions: tuple[int, int]
     deg_per_step: float
     torque_nm: float
     speed_rpm: float
+    standby: Current | float | None = None
 
 
 class Mounting(Sourced):
@@ -75,6 +84,7 @@ class Group(Struct, forbid_unknown_fields=True):
     limits: dict[str, Range | tuple[float, float]] = {}
     mountings: dict[str, dict[str, Mounting]] = {}
     stance: Point | tuple[float, float, float] | None = None
+    sole: Area | tuple[float, float] | None = None
     paper_axes: PaperAxes | None = None
     masses: dict[str, Mass | float] = {}
     lengths: dict[str, Length | float] = {}
@@ -87,6 +97,15 @@ class RobotSpec(Struct, forbid_unknown_fields=True):
     kind: Kind = "arm"
     paper: str | None = None
     mass: Mass | float | None = None
+    centre: Point | tuple[float, float, float] | None = None
     body: dict[str, float | Length] = {}
     notes: list[str] = []
     groups: dict[str, Group] = field(default_factory=dict)
+
+
+class GaitSpec(Sourced):
+    """A gait; fractions as numbers or as texts such as 5/6."""
+
+    kind: Kind
+    duty: float | str
+    touchdown: dict[str, float | str]

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kinlab.kinematics.transforms import Array
-from kinlab.robots.provenance import Provenance
+from kinlab.robots.provenance import UNSOURCED, Provenance
 
 
 @dataclass(frozen=True)
@@ -21,6 +21,8 @@ class ServoModel:
         torque: stall torque, in N m.
         speed: without load, in rad/s.
         source: where these figures come from.
+        standby: the current without torque, in A; None where nobody gives one.
+        standby_source: where it comes from.
     """
 
     name: str
@@ -31,6 +33,8 @@ class ServoModel:
     torque: float
     speed: float
     source: Provenance
+    standby: float | None = None
+    standby_source: Provenance = UNSOURCED
 
     @property
     def unit(self) -> str:
@@ -62,10 +66,7 @@ class Servo:
     source: Provenance
 
     def degrees(self, joint: ArrayLike) -> Array:
-        """Servo angles, in degrees, for joint angles in rad, brought into the servo's turn where a turn fits.
-
-        >>> # Table 1 of the xl430-hexapod paper: a coxa at 7.59 deg is a servo at 82.40.
-        """
+        """Servo angles, in degrees, for joint angles in rad, brought into the servo's turn where a turn fits."""
         angle = self.zero_deg + self.sign * np.degrees(np.asarray(joint, float))
         low, high = self.model.range_deg
         centre = (low + high) / 2

@@ -40,7 +40,7 @@ class ServoReading:
         return found
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class PoseReport:
     """One solution.
 
@@ -68,7 +68,7 @@ class PoseReport:
     quantised_error_m: float | None
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class TargetReport:
     """What comes of asking a limb for a target.
 

@@ -15,7 +15,7 @@ from kinlab.robots.target import angles_deg
 from kinlab.units import finite
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class PoseOfTip:
     """What `kinlab fk` shows.
 

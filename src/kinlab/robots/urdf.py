@@ -17,7 +17,7 @@ def to_urdf(robot: Robot) -> str:
     root = ET.Element("robot", name=robot.name)
     root.append(
         ET.Comment(
-            f" From KinLab's robot file. Masses are printed where the paper has them, else {ASSUMED_KG * 1000:g} g "
+            f" From KinLab's robot file. Masses are those of the file, else {ASSUMED_KG * 1000:g} g "
             "a link, assumed. "
         )
     )

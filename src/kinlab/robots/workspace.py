@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from kinlab.errors import UsageError
 from kinlab.kinematics import chain
@@ -15,7 +16,7 @@ SAMPLES = 20_000
 MOST_SAMPLES = 2_000_000
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Section:
     """A cut through the workspace.
 
@@ -32,8 +33,7 @@ class Section:
 
     def holds(self, across: float, up: float) -> bool:
         """Whether the place of the section nearest to (`across`, `up`), metres, is reachable."""
-        j = round((across - self.across[0]) / (self.across[-1] - self.across[0]) * (len(self.across) - 1))
-        i = round((up - self.up[0]) / (self.up[-1] - self.up[0]) * (len(self.up) - 1))
+        j, i = int(_nearest(self.across, across)), int(_nearest(self.up, up))
         return 0 <= i < len(self.up) and 0 <= j < len(self.across) and bool(self.reachable[i, j])
 
     def to_json(self) -> dict[str, Any]:
@@ -46,7 +46,7 @@ class Section:
         }
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Workspace:
     """What a limb reaches.
 
@@ -148,7 +148,12 @@ def _section(
     near = tips[np.abs(tips[:, fixed] - value) <= thickness]
     reached = np.zeros((rows, columns), dtype=bool)
     if len(near):
-        i = np.rint((near[:, second] - low[second]) / max(high[second] - low[second], 1e-12) * (rows - 1))
-        j = np.rint((near[:, first] - low[first]) / max(high[first] - low[first], 1e-12) * (columns - 1))
-        reached[i.astype(int), j.astype(int)] = True
+        reached[_nearest(up, near[:, second]), _nearest(across, near[:, first])] = True
     return Section(plane, across, up, reached)
+
+
+def _nearest(places: Array, values: ArrayLike) -> Array:
+    """The index of the evenly spaced place nearest to each value; the first one where all are the same."""
+    span = max(float(places[-1] - places[0]), 1e-12)
+    index = np.rint((np.asarray(values, float) - places[0]) / span * (len(places) - 1))
+    return np.asarray(np.clip(index, -1, len(places)), dtype=int)

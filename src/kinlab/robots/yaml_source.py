@@ -99,31 +99,33 @@ class _Builder:
 
     def build(self, text: str) -> Mapping:
         loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+        event: Any
         for event in yaml.parse(text, Loader=loader):
-            assert event.start_mark is not None
             line = event.start_mark.line + 1
-            if isinstance(event, yaml.DocumentStartEvent):
-                self.documents += 1
-                if self.documents > 1:
-                    raise self.fail(line, "a second document; one is expected")
-            elif isinstance(event, yaml.ScalarEvent):
+            # By the exact type: most events of a file are scalars, and this loop is most of reading one.
+            kind = type(event)
+            if kind is yaml.ScalarEvent:
                 self.add(self.scalar(event, line), line, event.anchor)
-            elif isinstance(event, yaml.AliasEvent):
-                if event.anchor not in self.anchors:
-                    raise self.fail(line, f"no anchor is named '{event.anchor}'")
-                self.add(self.anchors[event.anchor], line, None)
-            elif isinstance(event, (yaml.MappingStartEvent, yaml.SequenceStartEvent)):
+            elif kind is yaml.MappingStartEvent or kind is yaml.SequenceStartEvent:
                 if event.tag not in (None, f"{_PREFIX}map", f"{_PREFIX}seq"):
                     raise self.fail(line, f"tag {event.tag} is not allowed; a robots file is plain data")
                 if len(self.stack) >= MAX_DEPTH:
                     raise self.fail(line, f"nested deeper than {MAX_DEPTH} levels")
-                kind = Mapping if isinstance(event, yaml.MappingStartEvent) else Sequence
-                self.stack.append((kind(line), event.anchor))
+                made = Mapping(line) if kind is yaml.MappingStartEvent else Sequence(line)
+                self.stack.append((made, event.anchor))
                 self.keys.append(None)
-            elif isinstance(event, (yaml.MappingEndEvent, yaml.SequenceEndEvent)):
+            elif kind is yaml.MappingEndEvent or kind is yaml.SequenceEndEvent:
                 value, anchor = self.stack.pop()
                 self.keys.pop()
                 self.add(value, value.line, anchor)
+            elif kind is yaml.AliasEvent:
+                if event.anchor not in self.anchors:
+                    raise self.fail(line, f"no anchor is named '{event.anchor}'")
+                self.add(self.anchors[event.anchor], line, None)
+            elif kind is yaml.DocumentStartEvent:
+                self.documents += 1
+                if self.documents > 1:
+                    raise self.fail(line, "a second document; one is expected")
         if not isinstance(self.root, Mapping):
             found = "nothing" if self.root is None else f"a {_name_of(self.root)}"
             raise FileError(f"{self.name}:1: expected a mapping at the top of the file, got {found}")
@@ -133,6 +135,8 @@ class _Builder:
         if _CONTROL.search(event.value):
             raise self.fail(line, f"control characters are not allowed, got {event.value[:40]!r}")
         tag = event.tag
+        if tag is None and event.style:
+            return str(event.value)
         if tag in (None, "!"):
             tag = _RESOLVER.resolve(yaml.ScalarNode, event.value, event.implicit)  # type: ignore[no-untyped-call]
         kind = tag.removeprefix(_PREFIX)

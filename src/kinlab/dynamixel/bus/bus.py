@@ -169,10 +169,9 @@ class Bus:
 
     def read_block(self, servo: int, registers: Sequence[Register]) -> dict[str, int]:
         """Several registers in one request, by name, in ticks; whatever stands between them is read as well."""
-        first = min(register.address for register in registers)
-        last = max(register.end for register in registers)
-        data = self._read_bytes(self.known(servo).protocol, servo, first, last - first, registers[0].name)
-        return {r.name: r.decode(data[r.address - first : r.end - first]) for r in registers}
+        first, count = _span(registers)
+        data = self._read_bytes(self.known(servo).protocol, servo, first, count, registers[0].name)
+        return _unpacked(data, registers)
 
     def write(self, servo: int, name: str, value: int | float | str, unit: str | None = None) -> None:
         """Set a register: to ticks, to an amount in `unit`, or as in "90deg"."""
@@ -234,6 +233,16 @@ class Bus:
         wanted = dict.fromkeys(servos, register)
         rows = [{"id": servo} for servo in servos]
         return self._read_many("FAST_SYNC_READ" if fast else "SYNC_READ", wanted, head, rows, unit)
+
+    def sync_read_block(
+        self, servos: Sequence[int], registers: Sequence[Register]
+    ) -> dict[int, dict[str, int]]:
+        """Like `read_block`, of many servos in one request."""
+        first, count = _span(registers)
+        head, rows = {"address": first, "count": count}, [{"id": servo} for servo in servos]
+        packet = self._packet(self._protocol_of(servos), BROADCAST, "SYNC_READ", head, rows)
+        answers = self._talk.ask_many(packet, dict.fromkeys(servos, count), registers[0].name, False)
+        return {servo: _unpacked(answers[servo].params, registers) for servo in servos}
 
     def bulk_read(
         self, names: Mapping[int, str], unit: str | None = None, fast: bool = False
@@ -350,3 +359,15 @@ class Bus:
         subject = next(iter(wanted.values())).name
         answers = self._talk.ask_many(packet, sizes, subject, name.startswith("FAST"))
         return {s: from_ticks(r.decode(answers[s].params), r, unit) for s, r in wanted.items()}
+
+
+def _span(registers: Sequence[Register]) -> tuple[int, int]:
+    """The address and the number of the bytes that hold all of `registers`."""
+    first = min(register.address for register in registers)
+    return first, max(register.end for register in registers) - first
+
+
+def _unpacked(data: bytes, registers: Sequence[Register]) -> dict[str, int]:
+    """The values of `registers`, by name, in the bytes of their span."""
+    first, _ = _span(registers)
+    return {r.name: r.decode(data[r.address - first : r.end - first]) for r in registers}

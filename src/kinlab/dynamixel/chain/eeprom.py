@@ -1,23 +1,17 @@
 """The chain's EEPROM in a file, for a chain that outlives the program."""
 
 import json
-import os
 from pathlib import Path
 
 from kinlab.dynamixel.chain.chain import Chain
 from kinlab.errors import FileError, UsageError
+from kinlab.files import write_whole
 
 
 def save_eeprom(chain: Chain, path: Path) -> None:
     """Write what outlives a power cycle; the file is whole at every moment."""
     servos = [{"model": servo.table.model, "eeprom": servo.memory.eeprom()} for servo in chain.servos]
-    draft = path.with_name(f".{path.name}.{os.getpid()}")
-    try:
-        draft.write_text(json.dumps({"servos": servos}, indent=1) + "\n", encoding="utf-8")
-        os.replace(draft, path)
-    except OSError as error:
-        draft.unlink(missing_ok=True)
-        raise FileError(f"{path}: cannot be written: {error.strerror}") from None
+    write_whole(path, json.dumps({"servos": servos}, indent=1) + "\n")
 
 
 def load_eeprom(chain: Chain, path: Path) -> None:

@@ -40,11 +40,15 @@ class Receiver:
             bursts += self._obey(frames, protocol, now, baud)
         return bursts
 
-    def abandon(self, now: float) -> list[Burst]:
+    def overdue(self, now: float) -> bool:
+        """Whether an unfinished packet has waited for too long."""
+        return self.pending and now - self._last > GAP
+
+    def abandon(self, now: float, baud: int | None = None) -> list[Burst]:
         """Give up an unfinished packet; what the instructions found inside it bring."""
         bursts = []
         for protocol, parser in self._parsers.items():
-            bursts += self._obey(parser.abandon(), protocol, now, None)
+            bursts += self._obey(parser.abandon(), protocol, now, baud)
         return bursts
 
     def _obey(self, frames: list[bytes], protocol: int, now: float, baud: int | None) -> list[Burst]:

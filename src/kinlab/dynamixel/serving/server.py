@@ -6,7 +6,7 @@ import socket
 from collections.abc import Callable, Iterable
 from itertools import count
 
-from kinlab.dynamixel.chain import Chain, RealClock, Receiver
+from kinlab.dynamixel.chain import Burst, Chain, RealClock, Receiver
 from kinlab.dynamixel.chain.chain import wire_time
 from kinlab.dynamixel.chain.receiver import GAP
 from kinlab.dynamixel.serving.links import Link
@@ -39,6 +39,7 @@ class Server:
         self._listener = listener
         self._watch = watch
         self._after_change = after_change
+        self._changes_kept = chain.eeprom_writes
         self._due: list[tuple[float, int, Link, bytes]] = []
         self._order = count()
         # A pair of sockets, for pipes cannot be waited on everywhere.
@@ -55,7 +56,6 @@ class Server:
 
     def stop(self) -> None:
         """End `run` from another thread, or from a signal handler."""
-        self._stopped = True
         self._wake.send(b"x")
 
     def _turn(self) -> None:
@@ -67,12 +67,16 @@ class Server:
                 client = self._listener.accept()
                 if client:
                     self._receivers[client] = Receiver(self.chain)
+            elif source is self._waker:
+                self._stopped = True
             elif not isinstance(source, socket.socket | TcpListener):
                 self._serve(source)
         now = self.clock.now()
-        while self._due and self._due[0][0] <= now:
-            _, _, link, data = heapq.heappop(self._due)
-            self._send(link, data, now)
+        self._give_up_unfinished(now)
+        self._deliver(now)
+        if self._after_change and self.chain.eeprom_writes != self._changes_kept:
+            self._changes_kept = self.chain.eeprom_writes
+            self._after_change()
 
     def _patience(self) -> float | None:
         """How long nothing needs to be done unless a client speaks; None: for ever."""
@@ -89,24 +93,33 @@ class Server:
         now = self.clock.now()
         if self._watch and data:
             self._watch("->", data, now)
-        changes = self.chain.eeprom_writes
         baud = link.baud
-        for burst in self._receivers[link].feed(data, now, baud):
-            due = burst.start
-            if self.chain.byte_times:
-                due = burst.end + (wire_time(len(data), baud) if baud else 0.0)
-            if due <= now and not self._due:
-                self._send(link, burst.data, now)
-            else:
-                heapq.heappush(self._due, (due, next(self._order), link, burst.data))
-        if self._after_change and self.chain.eeprom_writes != changes:
-            self._after_change()
+        sending = wire_time(len(data), baud) if baud else 0.0
+        self._queue(link, self._receivers[link].feed(data, now, baud), sending)
 
-    def _send(self, link: Link, data: bytes, now: float) -> None:
-        if link in self._receivers:
-            if self._watch:
-                self._watch("<-", data, now)
-            link.send(data)
+    def _give_up_unfinished(self, now: float) -> None:
+        """Look for whole packets inside those that were begun and not ended in time, as servos do."""
+        for link, receiver in self._receivers.items():
+            if receiver.overdue(now):
+                self._queue(link, receiver.abandon(now, link.baud), 0.0)
+
+    def _queue(self, link: Link, bursts: list[Burst], sending: float) -> None:
+        """Note when bytes are due; `sending` is how long the request would have been on its way, in s."""
+        for burst in bursts:
+            due = burst.end + sending if self.chain.byte_times else burst.start
+            heapq.heappush(self._due, (due, next(self._order), link, burst.data))
+
+    def _deliver(self, now: float) -> None:
+        """Send what is due. Answers to one client go out in one piece: each piece costs a switch of processes."""
+        while self._due and self._due[0][0] <= now:
+            link, pieces = self._due[0][2], []
+            while self._due and self._due[0][0] <= now and self._due[0][2] is link:
+                pieces.append(heapq.heappop(self._due)[3])
+            if link in self._receivers:
+                if self._watch:
+                    for piece in pieces:
+                        self._watch("<-", piece, now)
+                link.send(b"".join(pieces))
 
     def _close(self) -> None:
         for link in self._receivers:

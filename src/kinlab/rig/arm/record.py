@@ -2,12 +2,13 @@
 
 import csv
 from dataclasses import dataclass, field, replace
+from io import StringIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinlab.errors import FileError
+from kinlab.files import write_whole
 from kinlab.kinematics.resolved_motion import Track
 from kinlab.kinematics.transforms import Array
 from kinlab.rig.arm.world import World
@@ -104,7 +105,7 @@ class Record:
         """Every column by its name with its unit: deg and N m, joint by joint."""
         names = self.limb.joint_names
         found = {"t_s": self.t, "busy_ms": self.busy * 1e3}
-        for kind, values in self.angles.items():
+        for kind, values in (self.angles | {"error": self.error}).items():
             found |= {f"{kind}_{j}_deg": np.degrees(values[:, i]) for i, j in enumerate(names)}
         for kind, values in self.torques.items():
             found |= {f"{kind}_{j}_nm": values[:, i] for i, j in enumerate(names)}
@@ -117,13 +118,11 @@ class Record:
             FileError: the file cannot be written.
         """
         columns = self.columns()
-        try:
-            with path.open("w", encoding="utf-8", newline="") as file:
-                rows = csv.writer(file, lineterminator="\n")
-                rows.writerow(columns)
-                rows.writerows([f"{v:.6g}" for v in row] for row in np.transpose(list(columns.values())))
-        except OSError as error:
-            raise FileError(f"{path}: cannot be written: {error.strerror}") from None
+        text = StringIO()
+        rows = csv.writer(text, lineterminator="\n")
+        rows.writerow(columns)
+        rows.writerows([f"{v:.6g}" for v in row] for row in np.transpose(list(columns.values())))
+        write_whole(path, text.getvalue())
 
     def to_json(self) -> dict[str, Any]:
         """As the command line prints it; NaN, where nobody knows, is null."""

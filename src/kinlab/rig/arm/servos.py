@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from types import TracebackType
 
 from kinlab.dynamixel import Bus, BusError, Chain, PortError
-from kinlab.dynamixel.outfit import modules_of
+from kinlab.dynamixel.outfit import worn_by
 from kinlab.dynamixel.ports import open_port
 from kinlab.dynamixel.tables import load_table
 from kinlab.errors import KinlabError, UsageError
@@ -95,7 +95,7 @@ class ArmServos:
         setup: Setup | None = None,
     ) -> "ArmServos":
         """The robot's chain in memory at 1 Mbps, with the limb's links on it, at the angles `start` (n,) in rad."""
-        chain = Chain.of(modules_of([(servo.model.name, [servo.id]) for servo in robot.servos]))
+        chain = Chain.of(worn_by(robot))
         world = World(limb, chain, pushes)
         world.place(start)
         port = TappedPort(chain, WorldClock(chain, world))

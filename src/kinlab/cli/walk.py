@@ -1,0 +1,222 @@
+"""`kinlab walk`: a gait on the rig, and what it costs."""
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from kinlab.cli.command import (
+    GaitOption,
+    JsonOption,
+    NumericCommand,
+    RobotArgument,
+    RobotsOption,
+    SpeedOption,
+    TurnOption,
+    command_app,
+    print_json,
+)
+
+if TYPE_CHECKING:
+    from kinlab.rig import Errand, Order, Rig, WalkResult
+
+INTERRUPTED = 130
+# The speeds of krsri-hexapod, Table 2.
+PAPERS_SPEEDS = "10:40:3"
+
+app = command_app()
+
+
+@app.command(
+    cls=NumericCommand,
+    epilog="Example: kinlab walk krsri-hexapod --gait tripod --speed 20 --distance 1000",
+)
+def walk(
+    robot: RobotArgument,
+    name: GaitOption = None,
+    speed: SpeedOption = 20.0,
+    turn: TurnOption = 0.0,
+    distance: Annotated[
+        float, typer.Option(metavar="MM", help="How far, in mm; with --speed 0 it turns once round.")
+    ] = 1000.0,
+    rate: Annotated[float, typer.Option(metavar="HZ", help="Commands and readings per second.")] = 50.0,
+    port: Annotated[
+        str | None,
+        typer.Option(help="/dev/ttyUSB0, ./ttyDXL, HOST:PORT. Default: emulated servos, in simulated time."),
+    ] = None,
+    baud: Annotated[int, typer.Option(help="Speed of the bus in bps.")] = 1_000_000,
+    setting: Annotated[
+        tuple[str, str] | None,
+        typer.Option("--set", metavar="NAME RANGE", help="Walk again and again: --set speed 10:40:3."),
+    ] = None,
+    gaits: Annotated[
+        tuple[str, str] | None,
+        typer.Option("--compare", metavar="GAIT GAIT", help="What two gaits cost over --set speed."),
+    ] = None,
+    csv: Annotated[
+        Path | None, typer.Option(help="File for the measured ticks, or for the walks of a sweep.")
+    ] = None,
+    live: Annotated[
+        bool, typer.Option("--live", help="A panel in real time: voltage, current, power, Wh, speed.")
+    ] = False,
+    robots: RobotsOption = None,
+    json: JsonOption = False,
+) -> None:
+    """A gait on the rig: joint speeds, loads, tracking error, energy.
+
+    The gait goes to the servos as sync writes, and their positions, loads and
+    voltages are read back. The torque is off at the end, and on Ctrl-C.
+    """
+    import numpy as np
+
+    from kinlab.errors import UsageError
+    from kinlab.files import check_writable
+    from kinlab.gait import find_gait
+    from kinlab.rig import Order, prepare, span, sweep
+    from kinlab.robots import load_robot
+
+    if baud <= 0:
+        raise UsageError(f"a speed is more than 0 bps, not {baud}")
+    if live and (json or setting or gaits):
+        raise UsageError(
+            "--live shows one walk to a person: it goes with neither --json, --set nor --compare"
+        )
+    if gaits and name:
+        raise UsageError("--compare names its gaits itself: --gait has no place beside it")
+    if csv:
+        check_writable(csv)
+    machine = load_robot(robot, robots)
+    first = find_gait(machine, gaits[0] if gaits else name, robots)
+    order = Order(machine, first, speed / 1000, float(np.radians(turn)), distance / 1000, rate)
+    if gaits:
+        second = find_gait(machine, gaits[1], robots)
+        answer = _compared(order, second, setting or ("speed", PAPERS_SPEEDS), port, baud, csv)
+        if json:
+            print_json(answer.to_json())
+        else:
+            from kinlab.cli.walk_tables import show_comparison
+
+            show_comparison(answer)
+        return
+    if setting:
+        results = _walked(machine, sweep(order, setting[0], span(setting[1])), port, baud)
+        _save_rows(csv, results)
+        if json:
+            print_json({"robot": machine.name, "walks": [result.to_json() for result in results]})
+        else:
+            from kinlab.cli.walk_tables import show_sweep
+
+            show_sweep(machine.name, results)
+        return
+    result = _one(prepare(order), port, baud, live)
+    if csv:
+        _save(csv, result.series())
+    if json:
+        print_json(result.to_json())
+    else:
+        from kinlab.cli.walk_tables import show_walk
+
+        show_walk(result)
+    if not (result.complete or live):
+        raise typer.Exit(INTERRUPTED)
+
+
+def _one(errand: "Errand", port: str | None, baud: int, live: bool) -> "WalkResult":
+    """One walk; Ctrl-C ends it early, and what was measured until then counts."""
+    from contextlib import suppress
+
+    from kinlab.cli.walk_live import Panel
+    from kinlab.cli.walk_progress import progress
+    from kinlab.dynamixel import RealClock
+    from kinlab.rig import Record, Rig, Throttle, WalkResult, walk_on
+
+    samples: list[Any] = []
+    throttle = Throttle(errand)
+    show = Panel(errand, throttle) if live else progress([errand])
+    # An unfinished walk leaves the torque off: the rig's own `with` sees to it.
+    with (
+        suppress(KeyboardInterrupt),
+        Rig.open(errand.order.robot, port, baud, clock=RealClock() if live else None) as rig,
+        show as tell,
+    ):
+        for sample in walk_on(rig, errand, lambda: throttle.tempo):
+            samples.append(sample)
+            tell(errand, sample)
+            if throttle.stopped:
+                break
+    if not samples:
+        raise KeyboardInterrupt
+    _warn(rig)
+    return WalkResult.of(errand, Record(rig.wiring, samples), rig)
+
+
+def _walked(robot: Any, errands: Sequence["Errand"], port: str | None, baud: int) -> list["WalkResult"]:
+    """All errands, one after the other, on one rig."""
+    from kinlab.cli.walk_progress import progress
+    from kinlab.rig import Record, Rig, WalkResult, walk_on
+
+    records = []
+    with Rig.open(robot, port, baud) as rig, progress(errands) as tell:
+        for errand in errands:
+            samples = []
+            for sample in walk_on(rig, errand):
+                samples.append(sample)
+                tell(errand, sample)
+            records.append(Record(rig.wiring, samples))
+    _warn(rig)
+    return [WalkResult.of(errand, record, rig) for errand, record in zip(errands, records, strict=True)]
+
+
+def _warn(rig: "Rig") -> None:
+    """Say what a person must know who is about to touch the robot."""
+    if rig.unconfirmed:
+        servos = ", ".join(map(str, rig.unconfirmed))
+        typer.echo(f"kinlab: torque off is not confirmed by servo {servos}", err=True)
+
+
+def _compared(
+    order: "Order", other: Any, setting: tuple[str, str], port: str | None, baud: int, csv: Path | None
+) -> Any:
+    """What two gaits cost at the same speeds, beside the robot's paper."""
+    from dataclasses import replace
+
+    from kinlab.errors import UsageError
+    from kinlab.papers.comparison import compare
+    from kinlab.rig import check_steady, costs, span, sweep
+
+    if order.gait == other:
+        raise UsageError(f"--compare takes two gaits, got {other.name} twice")
+    if not "speed".startswith(setting[0]):
+        raise UsageError(f"--compare goes over speeds, not over {setting[0]}")
+    speeds = span(setting[1])
+    errands = [e for gait in (order.gait, other) for e in sweep(replace(order, gait=gait), "speed", speeds)]
+    for errand in errands:
+        check_steady(errand)
+    results = _walked(order.robot, errands, port, baud)
+    _save_rows(csv, results)
+    half = len(speeds)
+    energy = {
+        gait.name: costs(part) for gait, part in ((order.gait, results[:half]), (other, results[half:]))
+    }
+    return compare(order.robot, [speed / 1000 for speed in speeds], energy)
+
+
+def _save_rows(path: Path | None, results: Sequence["WalkResult"]) -> None:
+    if path:
+        _save(path, [{"gait": result.errand.order.gait.name, **result.row()} for result in results])
+
+
+def _save(path: Path, rows: list[dict[str, Any]]) -> None:
+    """Rows as CSV, the file whole or not there."""
+    from csv import DictWriter
+    from io import StringIO
+
+    from kinlab.files import write_whole
+
+    text = StringIO()
+    writer = DictWriter(text, list(rows[0]), lineterminator="\n")
+    writer.writeheader()
+    for row in rows:
+        writer.writerow({k: f"{v:.6g}" if isinstance(v, float) else v for k, v in row.items()})
+    write_whole(path, text.getvalue())

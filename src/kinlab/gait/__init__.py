@@ -1,0 +1,34 @@
+"""Gaits: schedules, foot trajectories, walking, stability, and what servos and legs allow."""
+
+from kinlab.gait.limits import Limits, assess
+from kinlab.gait.motion import Motion
+from kinlab.gait.plan import plan
+from kinlab.gait.schedule import Event, Gait, Phase, wave_gait, wave_margin
+from kinlab.gait.stability import Stability, least_margins, stability, theory
+from kinlab.gait.swing import CURVES, Curve, find_curve, jumps
+from kinlab.gait.table import find_gait, gaits_for, load_gaits
+from kinlab.gait.walk import Walk
+
+__all__ = [
+    "CURVES",
+    "Curve",
+    "Event",
+    "Gait",
+    "Limits",
+    "Motion",
+    "Phase",
+    "Stability",
+    "Walk",
+    "assess",
+    "find_curve",
+    "find_gait",
+    "gaits_for",
+    "jumps",
+    "least_margins",
+    "load_gaits",
+    "plan",
+    "stability",
+    "theory",
+    "wave_gait",
+    "wave_margin",
+]
