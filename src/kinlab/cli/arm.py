@@ -41,7 +41,7 @@ app = command_app()
 
 
 @app.callback(
-    no_args_is_help=True, epilog='Example: kinlab arm comply --push "t=0.5 dur=0.4 at=hand force=0,-5,0"'
+    no_args_is_help=True, epilog='Example: kinlab arm comply --push "t=0.5 dur=0.4 at=hand force=-5,0,0"'
 )
 def _arm() -> None:
     """The receptionist's arm on RX-24F servos: the experiments of its paper, emulated or real.
@@ -107,7 +107,7 @@ def _track(
 @app.command(
     "comply",
     cls=NumericCommand,
-    epilog='Example: kinlab arm comply --push "t=0.5 dur=0.4 at=hand force=0,-5,0"',
+    epilog='Example: kinlab arm comply --push "t=0.5 dur=0.4 at=hand force=-5,0,0"',
 )
 @under_compliance
 def _comply(bench: Bench) -> "tuple[Outcome, str]":

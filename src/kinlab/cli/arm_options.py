@@ -26,7 +26,7 @@ Profile = Annotated[str, typer.Option(help="How the line is run through: steps, 
 Pushes = Annotated[
     list[str] | None,
     typer.Option(
-        help='A hand, as in "t=0.5 dur=0.4 at=hand force=0,-5,0": s, s, hand or a joint, N. Repeatable.'
+        help='A hand, as in "t=0.5 dur=0.4 at=hand force=-5,0,0": s, s, hand or a joint, N. Repeatable.'
     ),
 ]
 Csv = Annotated[

@@ -46,7 +46,7 @@ class Push:
 
 
 def parse_push(text: str) -> Push:
-    """A push as people write it: "t=0.5 dur=0.4 at=hand force=0,-5,0" (s, s, place, N).
+    """A push as people write it: "t=0.5 dur=0.4 at=hand force=-5,0,0" (s, s, place, N).
 
     Raises:
         UsageError: a key that there is not, or something that is no number.
@@ -59,7 +59,7 @@ def parse_push(text: str) -> Push:
         fields[key] = value
     numbers = fields["force"].split(",")
     if len(numbers) != 3:
-        raise UsageError(f"a push takes a force of three numbers in N, as in force=0,-5,0; got '{text}'")
+        raise UsageError(f"a push takes a force of three numbers in N, as in force=-5,0,0; got '{text}'")
     start, duration = _number("t", fields["t"]), _number("dur", fields["dur"])
     x, y, z = (_number("force", n) for n in numbers)
     if not (0 <= start < math.inf and duration > 0):
