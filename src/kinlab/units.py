@@ -21,6 +21,11 @@ def to_mm(values: Any) -> Any:
     return np.asarray(values, dtype=float) * 1e3
 
 
+def to_radians(degrees: float) -> float:
+    """Degrees as radians."""
+    return math.radians(degrees)
+
+
 # A place further out than this (m) is a slip of the finger or of the unit.
 FARTHEST = 1e6
 

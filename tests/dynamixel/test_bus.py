@@ -199,3 +199,12 @@ class TestMonitor:
             Monitor(bus, [1], None, 0)
         with pytest.raises(FileError, match="cannot be written"):
             CsvLog(tmp_path / "none" / "log.csv", Monitor(bus, [1], None, 10))
+
+
+def test_registers_side_by_side_are_written_in_one_packet(bus_of):
+    bus = bus_of(("RX-24F", [5]))
+    goal, speed, load = (bus.register(5, name) for name in ("goal_position", "moving_speed", "present_load"))
+    bus.write_block(5, {speed: 100, goal: 600})
+    assert (bus.read(5, "goal_position"), bus.read(5, "moving_speed")) == (600, 100)
+    with pytest.raises(UsageError, match="goal_position to present_load are not side by side"):
+        bus.write_block(5, {goal: 600, load: 0})

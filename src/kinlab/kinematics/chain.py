@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kinlab.kinematics.blocks import blocks
+from kinlab.kinematics.columns import ZERO, Vector, add, turn
 from kinlab.kinematics.transforms import Array, homogeneous, rotation
 
 
@@ -25,47 +26,14 @@ def fk(axes: ArrayLike, links: ArrayLike, q: ArrayLike) -> Array:
 def _fk_block(axes: Array, links: Array, q: Array, out: Array) -> None:
     # From the tip to the base, the three columns of the rotation and the position are four vectors
     # that every joint turns alike. Component by component, so that numpy works on whole columns.
-    vectors: list[list[Array | float]] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, 0.0]]
+    vectors: list[Vector] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], ZERO]
     for i in reversed(range(len(axes))):
         sine, cosine = np.sin(q[:, i]), np.cos(q[:, i])
-        vectors[3] = [a + b if np.any(b) else a for a, b in zip(vectors[3], links[i], strict=True)]
-        vectors = [_turn(axes[i], sine, cosine, v) for v in vectors]
+        vectors[3] = add(vectors[3], links[i].tolist())
+        vectors = [turn(axes[i], sine, cosine, v) for v in vectors]
     for column, vector in enumerate(vectors):
         for row in range(3):
             out[:, row, column] = vector[row]
-
-
-def _turn(axis: Array, sine: Array, cosine: Array, v: list[Array | float]) -> list[Array | float]:
-    main = int(np.argmax(np.abs(axis)))
-    if abs(axis[main]) == 1.0:
-        j, k = (main + 1) % 3, (main + 2) % 3
-        s = sine if axis[main] > 0 else -sine
-        turned = list(v)
-        turned[j] = _sum(_product(cosine, v[j]), _product(-s, v[k]))
-        turned[k] = _sum(_product(s, v[j]), _product(cosine, v[k]))
-        return turned
-    along = sum(a * c for a, c in zip(axis, v, strict=True))
-    turned = []
-    for i in range(3):
-        j, k = (i + 1) % 3, (i + 2) % 3
-        cross = axis[j] * v[k] - axis[k] * v[j]
-        turned.append(cosine * v[i] + sine * cross + (1.0 - cosine) * along * axis[i])
-    return turned
-
-
-def _product(a: Array, b: Array | float) -> Array | float:
-    # Zeros and ones of a frame's own axes need no arithmetic on whole columns.
-    if isinstance(b, float):
-        return 0.0 if b == 0.0 else a if b == 1.0 else a * b
-    return np.asarray(a * b)
-
-
-def _sum(a: Array | float, b: Array | float) -> Array | float:
-    if isinstance(a, float) and a == 0.0:
-        return b
-    if isinstance(b, float) and b == 0.0:
-        return a
-    return a + b
 
 
 def frames(axes: ArrayLike, links: ArrayLike, q: ArrayLike) -> Array:

@@ -5,13 +5,11 @@ from xml.etree import ElementTree as ET
 import numpy as np
 
 from kinlab.kinematics.transforms import Array, rotation_to_rpy
+from kinlab.robots.inertia import ASSUMED_KG, RADIUS, link_inertia
 from kinlab.robots.model import Joint, Limb, Robot
 
-# A link whose mass nobody printed still needs one, or no simulator loads the model.
-ASSUMED_KG = 0.05
 # Joints of a robot whose servo is not printed.
 ASSUMED_TORQUE, ASSUMED_SPEED = 2.0, 6.0
-RADIUS = 0.006
 
 
 def to_urdf(robot: Robot) -> str:
@@ -59,21 +57,15 @@ def _limb(root: ET.Element, limb: Limb) -> None:
 
 def _link(root: ET.Element, name: str, joint: Joint) -> None:
     element = ET.SubElement(root, "link", name=name)
-    along = np.array(joint.link)
-    length = float(np.linalg.norm(along))
-    mass = joint.mass or ASSUMED_KG
+    mass, centre, I = link_inertia(joint)  # noqa: E741 - the field's name
     inertial = ET.SubElement(element, "inertial")
-    ET.SubElement(inertial, "origin", xyz=_numbers(along / 2), rpy="0 0 0")
+    ET.SubElement(inertial, "origin", xyz=_numbers(centre), rpy="0 0 0")
     ET.SubElement(inertial, "mass", value=_number(mass))
-    # A slender rod, with the thickness of RADIUS.
-    thin, full = mass * RADIUS**2 / 2, mass * (length**2 / 12 + RADIUS**2 / 4)
-    direction = along / length if length else np.array([0.0, 0.0, 1.0])
-    I = full * np.eye(3) + (thin - full) * np.outer(direction, direction)  # noqa: E741 - the field's name
     names = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
     values = (I[0, 0], I[0, 1], I[0, 2], I[1, 1], I[1, 2], I[2, 2])
     ET.SubElement(inertial, "inertia", dict(zip(names, map(_number, values), strict=True)))
-    if length:
-        _shape(element, along, "cylinder")
+    if centre.any():
+        _shape(element, 2 * centre, "cylinder")
 
 
 def _shape(element: ET.Element, along: Array, kind: str) -> None:

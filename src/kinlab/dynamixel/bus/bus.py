@@ -1,6 +1,7 @@
 """The bus client: requests by register name, in ticks or degrees, and their answers."""
 
 from collections.abc import Iterable, Mapping, Sequence
+from itertools import pairwise
 from types import TracebackType
 from typing import NamedTuple
 
@@ -175,6 +176,18 @@ class Bus:
     def write(self, servo: int, name: str, value: int | float | str, unit: str | None = None) -> None:
         """Set a register: to ticks, to an amount in `unit`, or as in "90deg"."""
         self._write("WRITE", servo, name, value, unit)
+
+    def write_block(self, servo: int, values: Mapping[Register, int]) -> None:
+        """Set registers that stand side by side, in ticks, in one request.
+
+        Raises:
+            UsageError: they have a gap between them.
+        """
+        inside = sorted(values, key=lambda register: register.address)
+        if any(a.end != b.address for a, b in pairwise(inside)):
+            raise UsageError(f"{inside[0].name} to {inside[-1].name} are not side by side")
+        data = b"".join(register.encode(values[register]) for register in inside)
+        self._command("WRITE", servo, {"address": inside[0].address, "data": data}, inside[0].name)
 
     def reg_write(self, servo: int, name: str, value: int | float | str, unit: str | None = None) -> None:
         """Like `write`, but carried out at the next `action`."""

@@ -101,6 +101,9 @@ class AxServo(Servo):
             self._goal = float(self.memory["goal_position"])
             return
         names = {register.name for register in changed}
+        if self._enabled and not self._wheel and names == {"goal_position", "moving_speed"}:
+            self._aim()
+            return
         if "goal_position" in names and "torque_enable" not in names:
             self.memory["torque_enable"] = 1
         if "torque_limit" in names and self.memory["torque_limit"]:
@@ -158,15 +161,18 @@ class AxServo(Servo):
         self.follows_position = not self._wheel
         self._limit = min(memory["torque_limit"], memory["max_torque"]) / FULL
         self._punch = memory["punch"] / FULL
-        self._goal = float(memory["goal_position"])
-        speed = memory["moving_speed"]
-        self._wheel_drive = max(-self._limit, min(self._limit, speed / FULL))
-        self._speed = abs(speed) * SPEED_TICK / self._radians_per_tick
+        self._aim()
+        self._wheel_drive = max(-self._limit, min(self._limit, memory["moving_speed"] / FULL))
         self._margins = (memory["cw_compliance_margin"], memory["ccw_compliance_margin"])
         slopes = (_slope(memory["cw_compliance_slope"]), _slope(memory["ccw_compliance_slope"]))
         self._cw, self._ccw = zip(self._margins, slopes, strict=True)
         full_speed = self.table.no_load_rpm * RPM / self._radians_per_tick
         self._period = max(0.0005, min(LONGEST_STEP, 0.5 * min(slopes) / full_speed))
+
+    def _aim(self) -> None:
+        """Take over where to go, and how fast."""
+        self._goal = float(self.memory["goal_position"])
+        self._speed = abs(self.memory["moving_speed"]) * SPEED_TICK / self._radians_per_tick
 
 
 def _slope(value: int) -> int:

@@ -53,6 +53,7 @@ class Servo(ABC):
         self.time = 0.0
         self.drive = 0.0
         self._id_address = table.by_name["id"].address
+        self._spans: dict[tuple[int, int], list[Register]] = {}
         self._kept_back: tuple[int, bytes] | None = None
         self._asleep_until = 0.0
         self._start()
@@ -316,10 +317,10 @@ class Servo(ABC):
 
     def registers_at(self, address: int, count: int) -> list[Register]:
         """The registers that those bytes belong to."""
-        register = self.table.by_byte.get(address)
-        if register and register.address == address and register.size == count:
-            return [register]
-        return list(self.table.over(address, count))
+        found = self._spans.get((address, count))
+        if found is None:
+            found = self._spans[address, count] = list(self.table.over(address, count))
+        return found
 
     def _keep_back(self, address: int, data: bytes, by_secondary: bool) -> int:
         error = self.check(address, data, by_secondary)
