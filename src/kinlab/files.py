@@ -9,13 +9,20 @@ from kinlab.errors import FileError
 def write_whole(path: Path, text: str) -> None:
     """Put `text` into the file in one step: who reads it meanwhile sees the old one.
 
+    What stands there and is no file, such as /dev/stdout, is written to and never replaced.
+
     Raises:
         FileError: it cannot be written.
     """
-    draft = path.with_name(f".{path.name}.{os.getpid()}")
+    goal = path.resolve()
+    draft = goal.with_name(f".{goal.name}.{os.getpid()}")
     try:
+        if path.exists() and not path.is_file():
+            path.write_text(text, encoding="utf-8", newline="")
+            return
         draft.write_text(text, encoding="utf-8", newline="")
-        os.replace(draft, path)
+        # A link stays a link: what it names is replaced.
+        os.replace(draft, goal)
     except OSError as error:
         draft.unlink(missing_ok=True)
         raise FileError(f"{path}: cannot be written: {error.strerror}") from None
@@ -27,9 +34,11 @@ def check_writable(path: Path) -> None:
     Raises:
         FileError: its folder is missing or closed, or it is itself a folder.
     """
-    folder = path.parent
     if path.is_dir():
         raise FileError(f"{path}: cannot be written: it is a folder")
+    if path.exists() and not path.is_file():
+        return
+    folder = path.resolve().parent
     if not folder.is_dir():
         raise FileError(f"{path}: cannot be written: there is no folder {folder}")
     if not os.access(folder, os.W_OK):

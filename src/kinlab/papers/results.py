@@ -73,7 +73,9 @@ class AsPrinted:
         result = {
             "variant": self.variant,
             "where": self.where,
-            "angles_deg": None if angles is None else {k: round(float(np.degrees(v)), 12) for k, v in angles.items()},
+            "angles_deg": None
+            if angles is None
+            else {k: round(float(np.degrees(v)), 12) for k, v in angles.items()},
             "fk_mm": _point(self.tip, limb, frame),
             "error_mm": _mm(self.error_m),
             "note": self.note,
