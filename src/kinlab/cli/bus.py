@@ -1,5 +1,6 @@
 """`kinlab bus`: scan, read, write and monitor the servos on a port."""
 
+import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -50,6 +51,7 @@ def _scan(
     from kinlab.dynamixel.outfit import parse_ids
 
     with _open(port, baud) as bus:
+        _say_searching(baud)
         found = bus.scan(parse_ids(ids))
     rows = [
         {
@@ -147,6 +149,8 @@ def _monitor(
 
     with ExitStack() as stack:
         bus = stack.enter_context(Bus(open_port(port, baud, RealClock())))
+        if not ids:
+            _say_searching(baud)
         servos = parse_ids(ids) if ids else [found.id for found in bus.scan()]
         monitor = Monitor(bus, servos, register, rate)
         log = stack.enter_context(CsvLog(csv, monitor)) if csv else None
@@ -160,3 +164,9 @@ def _monitor(
                     show(last)
         if json and last:
             print_json(last.as_json())
+
+
+def _say_searching(baud: int) -> None:
+    """A search asks every id in both protocols, and waits for each that is not there."""
+    if sys.stderr.isatty():
+        typer.echo(f"looking for servos at {baud} bps ...", err=True)

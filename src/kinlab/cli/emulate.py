@@ -70,16 +70,14 @@ def emulate(
         raise UsageError(
             "name a robot, or servos: kinlab emulate xl430-hexapod, kinlab emulate --servo AX-12A:1"
         )
-    if baud <= 0:
-        raise UsageError(f"a speed is more than 0 bps, not {baud}")
-    for name, chance in (("noise", noise), ("drop", drop), ("flip", flip)):
-        if not 0.0 <= chance <= 1.0:
-            raise UsageError(f"--{name} is a chance from 0 to 1, not {chance}")
+    _check(baud, volts, delay_ms, {"noise": noise, "drop": drop, "flip": flip})
     chain = Chain.of(modules, baud, byte_times)
     chain.faults = Faults(drop, flip, noise, delay_ms / 1000, echo, seed)
     chain.supply.volts = volts
     if eeprom:
         load_eeprom(chain, eeprom)
+        # Before anybody relies on it: a file that cannot be written is refused here.
+        save_eeprom(chain, eeprom)
     for text in fault or ():
         broken, _, kind = text.partition(":")
         break_servo(chain.servo(one_id(broken)), kind)
@@ -96,7 +94,7 @@ def emulate(
         links,
         listener,
         watch=_show_traffic if traffic else None,
-        after_change=(lambda: save_eeprom(chain, eeprom)) if eeprom else None,
+        after_change=(lambda: _keep(chain, eeprom)) if eeprom else None,
     )
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, lambda *_: server.stop())
@@ -110,6 +108,33 @@ def emulate(
         _announce(chain, where)
     sys.stdout.flush()
     server.run()
+
+
+def _check(baud: int, volts: float, delay_ms: float, chances: dict[str, float]) -> None:
+    """Refuse numbers that no bus has."""
+    from kinlab.dynamixel.servo import MOST_VOLTS
+    from kinlab.errors import UsageError
+
+    if baud <= 0:
+        raise UsageError(f"a speed is more than 0 bps, not {baud}")
+    for name, chance in chances.items():
+        if not 0.0 <= chance <= 1.0:
+            raise UsageError(f"--{name} is a chance from 0 to 1, not {chance}")
+    if not 0.0 <= volts <= MOST_VOLTS:
+        raise UsageError(f"--volts is a supply from 0 to {MOST_VOLTS:g} V, not {volts}")
+    if not 0.0 <= delay_ms < float("inf"):
+        raise UsageError(f"--delay is a time from 0 ms, not {delay_ms}")
+
+
+def _keep(chain: "Chain", eeprom: Path) -> None:
+    """Keep the EEPROM; the servos go on where that fails, as real ones would."""
+    from kinlab.dynamixel.chain.eeprom import save_eeprom
+    from kinlab.errors import FileError
+
+    try:
+        save_eeprom(chain, eeprom)
+    except FileError as error:
+        typer.echo(f"kinlab: {error}", err=True)
 
 
 def _announce(chain: "Chain", where: dict[str, str | None]) -> None:

@@ -39,7 +39,10 @@ def parse_ids(text: str) -> list[int]:
         span = re.fullmatch(r"\s*(\d{1,3})(?:-(\d{1,3}))?\s*", part, re.ASCII)
         if span is None:
             raise UsageError(f"'{part}' is no id; ids are numbers from 0 to 253")
-        ids += range(int(span[1]), int(span[2] or span[1]) + 1)
+        first, last = int(span[1]), int(span[2] or span[1])
+        if last < first:
+            raise UsageError(f"'{part.strip()}' runs backwards; write {last}-{first}")
+        ids += range(first, last + 1)
     wrong = [i for i in ids if i > 253]
     if wrong:
         raise UsageError(f"{wrong[0]} is no id; ids are numbers from 0 to 253")

@@ -18,7 +18,7 @@ UNITS = {
     "us": {"us": 1.0, "ms": 1e3, "s": 1e6},
     "ms": {"ms": 1.0, "s": 1e3},
 }
-_NUMBER = re.compile(r"([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*([A-Za-z%/0-9]*)")
+_NUMBER = re.compile(r"([+-]?(?:\d+[.,]?\d*|[.,]\d+)(?:[eE][+-]?\d+)?)\s*([A-Za-z%/0-9]*)")
 
 
 def to_ticks(value: int | float | str, register: Register, unit: str | None = None) -> int:
@@ -39,15 +39,14 @@ def to_ticks(value: int | float | str, register: Register, unit: str | None = No
         match = _NUMBER.fullmatch(text)
         if match is None:
             raise UsageError(f"'{value}' is no number; give ticks (512, 0x200) or an amount (90deg)")
-        value, unit = float(match[1]), match[2] or unit
+        value, unit = float(match[1].replace(",", ".")), match[2] or unit
+    if not math.isfinite(value):
+        raise UsageError(f"{register.name} takes a finite number, got {value}")
     if unit is None:
         if value != int(value):
             raise UsageError(f"{register.name} takes a whole number, or an amount with its unit; got {value}")
         return int(value)
-    amount = value * _factor(register, unit)
-    if not math.isfinite(amount):
-        raise UsageError(f"{register.name} takes a finite number, got {value}")
-    return register.ticks(amount)
+    return register.ticks(value * _factor(register, unit))
 
 
 def from_ticks(ticks: int, register: Register, unit: str | None = None) -> int | float:

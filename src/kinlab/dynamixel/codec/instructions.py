@@ -3,6 +3,8 @@
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
+from kinlab.errors import UsageError
+
 BROADCAST = 0xFE
 STATUS = 0x55
 CLEAR_KEY = bytes.fromhex("44584C22")
@@ -155,12 +157,24 @@ def pack(
     head: Mapping[str, int | bytes] | None = None,
     rows: Sequence[Mapping[str, int | bytes]] = (),
 ) -> bytes:
-    """Values by slot as the bytes of the parameters."""
+    """Values by slot as the bytes of the parameters.
+
+    Raises:
+        UsageError: a value that does not fit into its slot.
+    """
     packed = bytearray()
     for slots, values in [(instruction.head, head or {}), *((instruction.each, row) for row in rows)]:
         for slot in slots:
             value = values.get(slot.name, 0)
-            packed += value if isinstance(value, bytes) else value.to_bytes(slot.size or 1, "little")
+            if isinstance(value, bytes):
+                packed += value
+                continue
+            size = slot.size or 1
+            try:
+                packed += value.to_bytes(size, "little")
+            except OverflowError:
+                plural = "s" if size > 1 else ""
+                raise UsageError(f"{slot.name} {value} does not fit into {size} byte{plural}") from None
     return bytes(packed)
 
 

@@ -7,7 +7,7 @@ from kinlab.dynamixel.quantity import to_ticks
 from kinlab.dynamixel.sandbox.display import table_lines
 from kinlab.dynamixel.sandbox.requests import one_id
 from kinlab.dynamixel.sandbox.session import Line, Outcome, Session
-from kinlab.dynamixel.servo import Servo
+from kinlab.dynamixel.servo import MOST_VOLTS, Servo
 from kinlab.dynamixel.servo.breaking import break_servo, motor_of
 from kinlab.dynamixel.tables import ControlTable, load_table
 from kinlab.errors import UsageError
@@ -145,7 +145,7 @@ def power(session: Session, rest: str) -> Outcome:
     """Change the supply."""
     volts = {"off": 0.0, "on": 12.0}.get(rest)
     if volts is None:
-        volts = _number(rest, "power on|off|VOLTS", 0.0, 48.0)
+        volts = _number(rest, "power on|off|VOLTS", 0.0, MOST_VOLTS)
     session.emulated.set_volts(volts, session.port.clock.now())
     return _said(f"the supply gives {volts:g} V")
 

@@ -38,7 +38,7 @@ def packet_lines(arrow: str, data: bytes, remark: str, dissection: Dissection, t
     """A packet with its fields under it, and what is wrong or odd about it."""
     lines: list[Line] = [[("arrow", f"{arrow} "), *byte_spans(dissection), ("dim", f"  {remark}")]]
     if not data:
-        return [[("arrow", f"{arrow} "), ("dim", remark)]]
+        lines = [[("arrow", f"{arrow} "), ("dim", remark)]]
     lines += field_lines(dissection)
     lines += [[("bad", f"   ! {p.message} (byte {p.offset})")] for p in dissection.complaints]
     if dissection.packet and dissection.kind == "instruction":

@@ -69,6 +69,8 @@ def build_packet(servos: Directory, words: list[str]) -> Packet:
         name = words[0] if words else ""
         raise UsageError(f"'{name}' sends no packet{suggestion(name, REQUESTS)}")
     request = REQUESTS[words[0]]
+    if "..." not in request.usage and len(words) > len(request.usage.split()):
+        raise UsageError(f"a word too many; usage: {request.usage}")
     try:
         return request.build(servos, words[1:])
     except IndexError:
@@ -179,7 +181,9 @@ def _clear(servos: Directory, words: list[str]) -> Packet:
 
 
 def _backup(servos: Directory, words: list[str]) -> Packet:
-    option = 2 if words[1:] == ["restore"] else 1
+    option = {"store": 1, "restore": 2}.get(words[1] if len(words) > 1 else "store")
+    if option is None:
+        raise UsageError(f"a backup is to store or to restore, not '{words[1]}'")
     return _packet(servos, one_id(words[0]), "CONTROL_TABLE_BACKUP", {"option": option, "key": BACKUP_KEY})
 
 

@@ -60,12 +60,14 @@ class Server:
 
     def _turn(self) -> None:
         sources: list[Link | TcpListener | socket.socket] = [*self._receivers, self._waker]
-        if self._listener and len(self._receivers) <= MOST_CLIENTS:
+        if self._listener:
             sources.append(self._listener)
         for source in select.select(sources, [], [], self._patience())[0]:
             if source is self._listener:
                 client = self._listener.accept()
-                if client:
+                if client and len(self._receivers) > MOST_CLIENTS:
+                    client.close()  # A client that is turned away knows at once; one left waiting never does.
+                elif client:
                     self._receivers[client] = Receiver(self.chain)
             elif source is self._waker:
                 self._stopped = True

@@ -5,7 +5,7 @@ import socket
 from kinlab.dynamixel.ports import PortError
 from kinlab.errors import UsageError
 
-MOST_CLIENTS = 32
+MOST_CLIENTS = 256
 MOST_UNSENT = 65536
 CHUNK = 1024
 

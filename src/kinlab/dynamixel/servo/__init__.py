@@ -1,12 +1,12 @@
 """The emulated servo: registers, firmware, motor."""
 
 from kinlab.dynamixel.servo.ax import AxServo
-from kinlab.dynamixel.servo.firmware import Servo, Supply
+from kinlab.dynamixel.servo.firmware import MOST_VOLTS, Servo, Supply
 from kinlab.dynamixel.servo.x import XServo
 from kinlab.dynamixel.tables import load_table
 from kinlab.errors import UsageError
 
-__all__ = ["AxServo", "Servo", "Supply", "XServo", "build_servos"]
+__all__ = ["MOST_VOLTS", "AxServo", "Servo", "Supply", "XServo", "build_servos"]
 
 
 def build_servos(model: str, ids: list[int], baud: int, supply: Supply) -> list[Servo]:

@@ -17,6 +17,10 @@ LONGEST_STEP = 0.005  # s; control period of the position loop at most
 IDLE_STEP, STRAINED_STEP = 10.0, 0.1  # s
 
 
+# What a supply for servos may give, V: beyond that nobody means it.
+MOST_VOLTS = 48.0
+
+
 @dataclass
 class Supply:
     """What feeds a chain: `volts` at the source, and the resistance of the cable to each servo in ohms."""
