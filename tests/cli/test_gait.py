@@ -238,3 +238,9 @@ def test_a_margin_that_does_not_exist_is_null(kinlab):
     assert found["margins"]["longitudinal_mm"] is None
     assert found["frames"][0]["longitudinal_margin_mm"] is None
     assert found["margins"]["static_mm"] < 0
+
+
+def test_the_fastest_possible_mixed_motion_names_both_its_parts(kinlab):
+    answer = kinlab("gait", "krsri-hexapod", "--turn", 1000)
+    assert answer.code == 1
+    assert "mm/s while turning" in answer.err

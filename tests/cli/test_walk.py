@@ -215,3 +215,9 @@ def test_mistakes(kinlab, args, code, word):
     assert answer.code == code
     assert word in answer.err
     assert answer.out == ""
+
+
+def test_a_rate_at_which_power_would_be_guessed_is_refused(kinlab):
+    answer = kinlab("walk", "krsri-hexapod", "--distance", 50, "--rate", 2)
+    assert answer.code == 2
+    assert "at least 20 commands a second" in answer.err

@@ -129,6 +129,11 @@ def gait(
             show_phase(answer, only)
         else:
             show_gait(answer)
+            if experiment is not None:
+                from kinlab.cli.show import sentences, show
+                from kinlab.gait.landing import EXPERIMENT_NOTE
+
+                show(sentences(("-", EXPERIMENT_NOTE)))
         if as_printed:
             show_as_printed(printed)
 
@@ -161,7 +166,9 @@ def _step(answer: Any) -> None:
         while True:
             console().clear()
             show_phase(answer, phases[at])
-            show("", "any key: next   b or left: back   q: quit")
+            swing = ", ".join(phases[at].swing) or "no leg"
+            where = f"phase {phases[at].number} of {len(phases)}, {swing} in the air"
+            show("", f"{where}   any key: next   b or left: back   q: quit")
             key = next_key()
             if key in ("q", "Q", "\x1b", "\x04", ""):
                 return

@@ -100,14 +100,7 @@ def walk(
             show_comparison(answer)
         return
     if setting:
-        results = _walked(machine, sweep(order, setting[0], span(setting[1])), port, baud)
-        _save_rows(csv, results)
-        if json:
-            print_json({"robot": machine.name, "walks": [result.to_json() for result in results]})
-        else:
-            from kinlab.cli.walk_tables import show_sweep
-
-            show_sweep(machine.name, results)
+        _sweep(sweep(order, setting[0], span(setting[1])), port, baud, csv, json)
         return
     result = _one(prepare(order), port, baud, live)
     if csv:
@@ -122,6 +115,21 @@ def walk(
         raise typer.Exit(INTERRUPTED)
 
 
+def _sweep(errands: Sequence["Errand"], port: str | None, baud: int, csv: Path | None, json: bool) -> None:
+    """Walk again and again; what was walked is kept and shown, whatever stops the rest."""
+    robot = errands[0].order.robot
+    results, stopped = _walked(robot, errands, port, baud)
+    if results:
+        _save_rows(csv, results)
+    if json:
+        print_json({"robot": robot.name, "walks": [result.to_json() for result in results]})
+    elif results:
+        from kinlab.cli.walk_tables import show_sweep
+
+        show_sweep(robot.name, results)
+    _finish(results, len(errands), stopped)
+
+
 def _one(errand: "Errand", port: str | None, baud: int, live: bool) -> "WalkResult":
     """One walk; Ctrl-C ends it early, and what was measured until then counts."""
     from contextlib import suppress
@@ -134,38 +142,56 @@ def _one(errand: "Errand", port: str | None, baud: int, live: bool) -> "WalkResu
     samples: list[Any] = []
     throttle = Throttle(errand)
     show = Panel(errand, throttle) if live else progress([errand])
+    rig = Rig.open(errand.order.robot, port, baud, clock=RealClock() if live else None)
     # An unfinished walk leaves the torque off: the rig's own `with` sees to it.
-    with (
-        suppress(KeyboardInterrupt),
-        Rig.open(errand.order.robot, port, baud, clock=RealClock() if live else None) as rig,
-        show as tell,
-    ):
-        for sample in walk_on(rig, errand, lambda: throttle.tempo):
-            samples.append(sample)
-            tell(errand, sample)
-            if throttle.stopped:
-                break
+    try:
+        with suppress(KeyboardInterrupt), rig, show as tell:
+            for sample in walk_on(rig, errand, lambda: throttle.tempo):
+                samples.append(sample)
+                tell(errand, sample)
+                if throttle.stopped:
+                    break
+    finally:
+        _warn(rig)
     if not samples:
         raise KeyboardInterrupt
-    _warn(rig)
     return WalkResult.of(errand, Record(rig.wiring, samples), rig)
 
 
-def _walked(robot: Any, errands: Sequence["Errand"], port: str | None, baud: int) -> list["WalkResult"]:
-    """All errands, one after the other, on one rig."""
+def _walked(
+    robot: Any, errands: Sequence["Errand"], port: str | None, baud: int
+) -> tuple[list["WalkResult"], BaseException | None]:
+    """Errands, one after the other, on one rig; those that were walked to their end, and what stopped the rest."""
     from kinlab.cli.walk_progress import progress
+    from kinlab.dynamixel import PortError
     from kinlab.rig import Record, Rig, WalkResult, walk_on
 
-    records = []
-    with Rig.open(robot, port, baud) as rig, progress(errands) as tell:
-        for errand in errands:
-            samples = []
-            for sample in walk_on(rig, errand):
-                samples.append(sample)
-                tell(errand, sample)
-            records.append(Record(rig.wiring, samples))
-    _warn(rig)
-    return [WalkResult.of(errand, record, rig) for errand, record in zip(errands, records, strict=True)]
+    records: list[Record] = []
+    stopped: BaseException | None = None
+    rig = Rig.open(robot, port, baud)
+    try:
+        with rig, progress(errands) as tell:
+            for errand in errands:
+                samples = []
+                for sample in walk_on(rig, errand):
+                    samples.append(sample)
+                    tell(errand, sample)
+                records.append(Record(rig.wiring, samples))
+    except (KeyboardInterrupt, PortError) as error:
+        stopped = error
+    finally:
+        _warn(rig)
+    results = [WalkResult.of(errand, record, rig) for errand, record in zip(errands, records, strict=False)]
+    return results, stopped
+
+
+def _finish(results: Sequence["WalkResult"], asked: int, stopped: BaseException | None) -> None:
+    """Say what is missing of walks that were stopped, after what was walked has been shown."""
+    if stopped is None:
+        return
+    reason = f": {stopped}" if str(stopped) else ""
+    typer.echo(f"kinlab: stopped after {len(results)} of {asked} walks{reason}", err=True)
+    raise typer.Exit(INTERRUPTED if isinstance(stopped, KeyboardInterrupt) else 1)
 
 
 def _warn(rig: "Rig") -> None:
@@ -193,8 +219,9 @@ def _compared(
     errands = [e for gait in (order.gait, other) for e in sweep(replace(order, gait=gait), "speed", speeds)]
     for errand in errands:
         check_steady(errand)
-    results = _walked(order.robot, errands, port, baud)
+    results, stopped = _walked(order.robot, errands, port, baud)
     _save_rows(csv, results)
+    _finish(results, len(errands), stopped)
     half = len(speeds)
     energy = {
         gait.name: costs(part) for gait, part in ((order.gait, results[:half]), (other, results[half:]))

@@ -43,6 +43,11 @@ class Experiment:
     lift: float
 
 
+# What is shown beside a walk with the values of an experiment.
+EXPERIMENT_NOTE = (
+    "the experiments print X, Y and Z and name only X, the step: Y is read as the sway of the body, Z as the lift; "
+    "their speed is not printed"
+)
 EXPERIMENTS = (
     Experiment("8", 0.008, 0.045, 0.100),
     Experiment("16", 0.016, 0.035, 0.095),

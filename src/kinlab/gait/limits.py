@@ -145,6 +145,10 @@ def _instead(walk: Walk, keep_period: bool) -> str:
     kept = f"a period of {walk.period:.3g} s" if keep_period else f"a stride of {walk.stride * 1000:.4g} mm"
     if share == 0:
         return f"no speed is possible with {kept}"
+    if walk.speed and walk.turn:
+        slower = _slower(walk, share, keep_period)
+        turn = np.degrees(abs(slower.turn))
+        return f"the fastest possible with {kept} is {slower.speed * 1000:.4g} mm/s while turning {turn:.4g} deg/s"
     if walk.speed:
         return f"the fastest possible speed with {kept} is {share * walk.speed * 1000:.4g} mm/s"
     fastest = np.degrees(share * abs(walk.turn))

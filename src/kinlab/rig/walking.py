@@ -19,6 +19,8 @@ from kinlab.units import finite
 # Ticks that a walk, or a sweep, may have: all of them are kept, and an hour at the usual rate is enough.
 MOST_TICKS = 200_000
 MOST_RUNS = 1000
+# Below this the sum of I V dt is more than a twentieth off, as the load falls between two commands.
+SLOWEST_RATE = 20.0
 FASTEST_RATE = 1000.0
 
 
@@ -73,6 +75,11 @@ def prepare(order: Order) -> Errand:
         finite(value, f"a walk's {name}")
         if value <= 0:
             raise UsageError(f"a walk's {name} must be above 0, got {value:g} {unit}")
+    if order.rate < SLOWEST_RATE:
+        raise UsageError(
+            f"expected at least {SLOWEST_RATE:g} commands a second, got {order.rate:g}: power is read once a command, "
+            "at its peak, and with fewer of them their sum is no energy"
+        )
     if order.rate > FASTEST_RATE:
         raise UsageError(f"no bus takes more than {FASTEST_RATE:g} commands a second, got {order.rate:g}")
     forever = plan(order.robot, order.gait, forward=order.speed, turn=order.turn)
