@@ -7,6 +7,9 @@ from contextlib import contextmanager
 
 from kinlab.errors import UsageError
 
+# How long a Ctrl-C may take at the most, s.
+GLANCE = 0.2
+
 
 @contextmanager
 def keys() -> Iterator[Callable[[], str]]:
@@ -30,14 +33,22 @@ def keys() -> Iterator[Callable[[], str]]:
 
         yield read_windows
         return
+    import select
     import termios
     import tty
 
     handle = sys.stdin.fileno()
+
+    def read() -> str:
+        # A Ctrl-C that comes in the instant before a read would not end it: the wait is cut into short ones.
+        while not select.select([handle], [], [], GLANCE)[0]:
+            pass
+        return os.read(handle, 8).decode(errors="replace")
+
     before = termios.tcgetattr(handle)
     try:
         # What was typed ahead is kept.
         tty.setcbreak(handle, termios.TCSADRAIN)
-        yield lambda: os.read(handle, 8).decode(errors="replace")
+        yield read
     finally:
         termios.tcsetattr(handle, termios.TCSADRAIN, before)
