@@ -26,6 +26,14 @@ def to_radians(degrees: float) -> float:
     return math.radians(degrees)
 
 
+def shown_mm(metres: Any) -> list[float]:
+    """A place (3,), in metres, as millimetres to show.
+
+    A picometre is beyond what doubles hold of a leg; rounding there keeps 75.00000000000001 out of sight.
+    """
+    return [round(float(v), 9) + 0.0 for v in to_mm(metres)]
+
+
 # A place further out than this (m) is a slip of the finger or of the unit.
 FARTHEST = 1e6
 

@@ -15,6 +15,7 @@ from kinlab.gait.swing import CURVES, Jumps, jumps
 from kinlab.gait.walk import Walk
 from kinlab.kinematics.transforms import Array
 from kinlab.robots.target import angles_deg
+from kinlab.units import shown_mm
 
 # Frames of a cycle in the JSON, and of each cycle of the walk whose slip is measured.
 FRAMES = 60
@@ -214,10 +215,7 @@ def _frames_json(state: Stability) -> list[dict[str, Any]]:
     return [
         {
             "t_s": float(motion.t[i]),
-            "feet_mm": {
-                leg.name: [round(float(v), 9) + 0.0 for v in motion.feet[i, k] * 1000]
-                for k, leg in enumerate(legs)
-            },
+            "feet_mm": {leg.name: shown_mm(motion.feet[i, k]) for k, leg in enumerate(legs)},
             "angles_deg": {leg.name: angles_deg(leg, motion.q[i, k]) for k, leg in enumerate(legs)},
             "swing": [leg.name for k, leg in enumerate(legs) if motion.swing[i, k]],
             # A pacing robot's side has no edge ahead of the centre of mass, nor behind it.

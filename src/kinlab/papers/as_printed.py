@@ -16,6 +16,7 @@ from kinlab.papers.equations import (
 )
 from kinlab.papers.results import AsPrinted, BodyAsPrinted, Fault, FkAsPrinted
 from kinlab.robots import Limb, Robot
+from kinlab.units import FARTHEST
 
 __all__ = [
     "AsPrinted",
@@ -39,9 +40,6 @@ FORWARD: dict[str, tuple[ForwardEquations, ...]] = {
     "eros-humanoid": (eros_humanoid.HEAD, eros_humanoid.ARM),
     "receptionist-arm": (receptionist_arm.PRODUCT, receptionist_arm.MULTIPLIED),
 }
-
-# A target farther away (m) only overflows: no limb is a millionth as long.
-FARTHEST_M = 1e6
 
 
 def as_printed(
@@ -91,7 +89,7 @@ def _inverse(
         more["heading"] = float(np.arctan2(attitude[1, 0], attitude[0, 0]))
 
     def solve(letter_for_letter: Printed) -> tuple[Array, str]:
-        if not np.abs(point).max() <= FARTHEST_M:
+        if not np.abs(point).max() <= FARTHEST:
             raise NotComputable("no equation has a value for a target so far away")
         q, remark = equations.solve(point, lengths, letter_for_letter, **more)
         # A left leg whose paper counts y forwards on both sides turns its coxa the other way.

@@ -13,7 +13,7 @@ from kinlab.kinematics.transforms import Array, rpy_to_rotation
 from kinlab.robots.inverse import inverse_kinematics
 from kinlab.robots.model import Robot
 from kinlab.robots.target import angles_deg, read_servos, solve_target
-from kinlab.units import check_place, finite
+from kinlab.units import check_place, finite, shown_mm
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -113,7 +113,7 @@ class Stand:
             q = self.pose.q[i]
             servos = read_servos(leg, q)[0] if reachable else {}
             legs[leg.name] = {
-                "foot_mm": [round(float(v), 9) + 0.0 for v in self.pose.feet[i] * 1000],
+                "foot_mm": shown_mm(self.pose.feet[i]),
                 "reachable": reachable,
                 "angles_deg": angles_deg(leg, q) if reachable else None,
                 "commands": {name: servo.command for name, servo in servos.items()},

@@ -1,7 +1,7 @@
 """Robots files: found, read, and built into robots."""
 
 import os
-from functools import cache
+from functools import cache, cached_property
 from pathlib import Path
 
 from kinlab.names import resolve
@@ -73,7 +73,7 @@ class _Shelf:
         ours, *users = documents(file)
         shelf = cls(ours, *users)
         if users:
-            shelf.servo_models()
+            _ = shelf.servo_models  # Those that no robot wears are checked too.
         for document in users:
             for name in document.tree.get("robots", {}):
                 shelf.robot(name)
@@ -86,10 +86,11 @@ class _Shelf:
         document = self.holder[name]
         spec = document.robot(name)
         try:
-            return build_robot(name, spec, self.servo_models())
+            return build_robot(name, spec, self.servo_models)
         except SpecError as error:
             raise document.error(("robots", name, *error.place), str(error)) from None
 
+    @cached_property
     def servo_models(self) -> dict[str, ServoModel]:
         found: dict[str, ServoModel] = {}
         for document in self.documents:

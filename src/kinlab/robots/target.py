@@ -14,7 +14,7 @@ from kinlab.names import resolve
 from kinlab.robots.inverse import inverse_kinematics, nearest
 from kinlab.robots.model import FRAMES, Limb, Robot
 from kinlab.robots.reasons import beyond_limits, why_unreachable
-from kinlab.units import check_place, finite
+from kinlab.units import check_place, finite, shown_mm
 
 if TYPE_CHECKING:
     from kinlab.kinematics.numeric import Solution
@@ -148,8 +148,7 @@ class TargetReport:
 
 def place_mm(limb: Limb, point: Array, frame: str) -> list[float]:
     """A point of the limb frame (3,), in metres, as millimetres in `frame`."""
-    # A picometre is beyond what doubles hold of a leg; rounding there keeps 75.00000000000001 out of sight.
-    return [round(float(v), 9) + 0.0 for v in limb.from_limb(point, frame) * 1000]
+    return shown_mm(limb.from_limb(point, frame))
 
 
 def angles_deg(limb: Limb, q: ArrayLike) -> dict[str, float]:

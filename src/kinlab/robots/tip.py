@@ -12,7 +12,7 @@ from kinlab.names import resolve
 from kinlab.robots.model import FRAMES, Limb, Robot
 from kinlab.robots.reasons import beyond_limits
 from kinlab.robots.target import angles_deg
-from kinlab.units import finite
+from kinlab.units import finite, shown_mm
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,7 +80,7 @@ class PoseOfTip:
             "limb": self.limb.name,
             "frame": self.frame,
             "angles_deg": angles_deg(self.limb, self.q),
-            "position_mm": [round(float(v), 9) + 0.0 for v in self.position * 1000],
+            "position_mm": shown_mm(self.position),
             "rotation": (self.rotation + 0.0).tolist(),
             "within_limits": not self.outside,
         }
