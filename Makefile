@@ -17,6 +17,6 @@ test: demo
 
 .venv/installed: pyproject.toml
 	$(PYTHON) -m venv .venv
-	$(BIN)/pip install --quiet --editable '.[all]'
+	$(BIN)/pip install --quiet --editable .
 	$(BIN)/python -m compileall -q src
 	@touch $@
