@@ -1,0 +1,1 @@
+"""Lessons: a course that checks itself, in English and Bahasa Indonesia."""
