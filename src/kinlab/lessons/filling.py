@@ -15,7 +15,7 @@ _NOTHING = re.compile(r"-(0(?:\.0+)?)")
 LONGEST = 10_000
 
 
-class UnknownName(LookupError):
+class UnknownNameError(LookupError):
     """A placeholder that no value has the name of.
 
     Attributes:
@@ -36,7 +36,7 @@ def fill(text: str, values: Mapping[str, Any]) -> str:
     """The text with each placeholder's value.
 
     Raises:
-        UnknownName: there is no such value, or it cannot be written in the format asked for.
+        UnknownNameError: there is no such value, or it cannot be written in the format asked for.
 
     >>> fill("{x:.1f} mm and {y}", {"x": 12.345, "y": (1, 2.5)})
     '12.3 mm and 1, 2.5'
@@ -53,7 +53,7 @@ def _look_up(path: str, values: Mapping[str, Any]) -> Any:
     for key in path.split("."):
         if not isinstance(value, Mapping) or key not in value:
             known = ", ".join(map(str, value)) if isinstance(value, Mapping) else ""
-            raise UnknownName(path, f"no value is named '{path}'; there are: {known or 'none'}")
+            raise UnknownNameError(path, f"no value is named '{path}'; there are: {known or 'none'}")
         value = value[key]
     return value
 
@@ -62,7 +62,7 @@ def show(value: Any, style: str = "", where: str = "") -> str:
     """A value as text: numbers in the style asked for, lists with commas, bytes in hexadecimal.
 
     Raises:
-        UnknownName: the style does not fit the value.
+        UnknownNameError: the style does not fit the value.
     """
     if hasattr(value, "tolist"):
         value = value.tolist()
@@ -75,13 +75,13 @@ def show(value: Any, style: str = "", where: str = "") -> str:
     elif isinstance(value, Sequence):
         shown = ", ".join(show(v, style, where) for v in value)
     else:
-        raise UnknownName(where, f"{where}: the value is no number, text or list")
+        raise UnknownNameError(where, f"{where}: the value is no number, text or list")
     return shown[:LONGEST]
 
 
 def _number(value: Real, style: str, where: str) -> str:
     if style and not _FORMAT.fullmatch(style):
-        raise UnknownName(where, f"{where}: '{style}' is no format; write .1f, d, +.2f, g or 02X")
+        raise UnknownNameError(where, f"{where}: '{style}' is no format; write .1f, d, +.2f, g or 02X")
     kind: Callable[[Real], int | float] = float
     if style[-1:] in ("d", "X") or (not style and isinstance(value, Integral)):
         kind = int

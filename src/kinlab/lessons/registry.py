@@ -12,7 +12,7 @@ from pkgutil import iter_modules
 from typing import Any
 
 from kinlab.errors import KinlabError
-from kinlab.lessons.filling import PLACEHOLDER, UnknownName, fill
+from kinlab.lessons.filling import PLACEHOLDER, UnknownNameError, fill
 from kinlab.lessons.lesson import Call, LessonError
 from kinlab.names import suggestion
 
@@ -88,7 +88,7 @@ def _given(call: Call, value: Any, values: Mapping[str, Any]) -> Any:
         return values[whole[1]]
     try:
         return fill(value, values)
-    except UnknownName as error:
+    except UnknownNameError as error:
         raise call.place.error(str(error)) from None
 
 

@@ -19,6 +19,7 @@ class Reach:
         solution_deg: one right answer, as an example.
         tip_mm: where the tip lies for angles in degrees.
         lower_deg, upper_deg: limits of the joints; none where they are empty.
+        tip: what it is, "foot", "hand" or "tip".
     """
 
     target_mm: tuple[float, ...]
@@ -26,6 +27,7 @@ class Reach:
     tip_mm: Callable[[Sequence[float]], tuple[float, ...]]
     lower_deg: tuple[float, ...] = ()
     upper_deg: tuple[float, ...] = ()
+    tip: str = "foot"
 
 
 def limb_reach(limb: "Limb", target_mm: Sequence[float]) -> Reach:
@@ -44,6 +46,7 @@ def limb_reach(limb: "Limb", target_mm: Sequence[float]) -> Reach:
         lambda angles: tuple((limb.fk(np.radians(angles))[:3, 3] * 1000).tolist()),
         tuple(lower.tolist()),
         tuple(upper.tolist()),
+        "foot" if limb.stance is not None else "hand",
     )
 
 
