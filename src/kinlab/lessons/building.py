@@ -67,9 +67,9 @@ def build_exercise(texts: Mapping[str, "Block"]) -> Exercise:
 
 def exercise_fields(data: Mapping[str, Any], at: At) -> Mapping[str, Field]:
     """The fields that an exercise of this kind has."""
-    kind = data.get("kind")
+    kind = str(data.get("kind"))
     if kind not in KINDS:
-        raise at("kind").error(f"there is no kind of exercise '{kind}'{suggestion(str(kind), KINDS)}")
+        raise at("kind").error(f"there is no kind of exercise '{kind}'{suggestion(kind, KINDS)}")
     return {**EXERCISE, **KINDS[kind]}
 
 

@@ -5,7 +5,7 @@ every object. What matches no placeholder stays as it stands, so that braces of 
 """
 
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from numbers import Integral, Real
 from typing import Any
 
@@ -79,12 +79,11 @@ def show(value: Any, style: str = "", where: str = "") -> str:
     return shown[:LONGEST]
 
 
-def _number(value: Real, style: str, where: str) -> str:
+def _number(value: Any, style: str, where: str) -> str:
     if style and not _FORMAT.fullmatch(style):
         raise UnknownNameError(where, f"{where}: '{style}' is no format; write .1f, d, +.2f, g or 02X")
-    kind: Callable[[Real], int | float] = float
-    if style[-1:] in ("d", "X") or (not style and isinstance(value, Integral)):
-        kind = int
-    written = format(kind(value), style or ("d" if kind is int else ".6g"))
+    whole = style[-1:] in ("d", "X") or (not style and isinstance(value, Integral))
+    number = int(value) if whole else float(value)
+    written = format(number, style or ("d" if whole else ".6g"))
     nothing = _NOTHING.fullmatch(written)
     return nothing[1] if nothing else written

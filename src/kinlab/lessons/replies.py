@@ -123,7 +123,7 @@ def numbers(reply: str, count: int) -> list[Quantity]:
 def _scan(text: str, digits: str) -> tuple[list[Quantity], str]:
     """The numbers of a text, and the first thing in it that is neither number nor separator."""
     pattern = re.compile(rf"(?<![\w.])([+-]?)\s?({digits})({_EXPONENT})\s?({_UNIT}(?:\s(?:m|mm|cm)\b)?)?")
-    found = []
+    found: list[Quantity] = []
     end = 0
     for match in pattern.finditer(text):
         between = text[end : match.start()].strip(" \n\t,;()[]{}|")

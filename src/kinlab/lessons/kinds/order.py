@@ -2,7 +2,9 @@
 
 import re
 from collections.abc import Sequence
+from itertools import pairwise
 
+from kinlab.lessons.parameters import shuffled
 from kinlab.lessons.replies import UnreadableError, clean, quote
 from kinlab.lessons.task import Task, Verdict, parts_of
 
@@ -19,8 +21,6 @@ def labels(task: Task) -> dict[str, str]:
 
 def mixed(task: Task) -> list[str]:
     """The keys in an order of the student's own, never the right one."""
-    from kinlab.lessons.parameters import shuffled
-
     keys = sorted(_want(task))
     for attempt in range(100):
         found = shuffled(keys, [*parts_of(task), attempt])
@@ -101,7 +101,7 @@ def judge(task: Task, reply: str) -> Verdict:
     if not task.field.get("rotation") and got[0] != want[0]:
         return task.verdict(False, "first", item=_named(task, got[0]))
     follows = {want[i]: want[(i + 1) % len(want)] for i in range(len(want))}
-    first, second = next((a, b) for a, b in zip(got, got[1:], strict=False) if follows[a] != b)
+    first, second = next((a, b) for a, b in pairwise(got) if follows[a] != b)
     return task.verdict(False, "wrong", first=_named(task, first), second=_named(task, second))
 
 

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Sequence
+from typing import Any
 
 from kinlab.lessons.kinds.number import NEAR_SHARE, NEAR_TOLERANCES, SLACK, in_unit, value_text
 from kinlab.lessons.replies import cousins, normal_unit, numbers
@@ -31,7 +32,7 @@ def wrong(task: Task) -> Sequence[str]:
     return found
 
 
-def want(task: Task, answer: object = None) -> list[float]:
+def want(task: Task, answer: Any = None) -> list[float]:
     """The right numbers, or those of another answer."""
     values = task.answer if answer is None else answer
     return [float(v) for v in values]
@@ -57,6 +58,23 @@ def judge(task: Task, reply: str) -> Verdict:
     for number, slip in enumerate(task.slips):
         if math.dist(got, want(task, slip)) <= allowed:
             return task.slip(number)
+    changed = _changed(task, got, right_one)
+    if changed:
+        return changed
+    rights = [
+        name for name, a, b in zip(names, got, right_one, strict=True) if abs(a - b) <= allowed / len(names)
+    ]
+    distance = f"{off:.3g}{unit}"
+    if rights:
+        return task.verdict(False, "partly", distance=distance, names=", ".join(rights))
+    if off <= max(NEAR_TOLERANCES * allowed, NEAR_SHARE * length):
+        return task.verdict(False, "near", distance=distance)
+    return task.verdict(False, "wrong", distance=distance)
+
+
+def _changed(task: Task, got: list[float], right_one: list[float]) -> Verdict | None:
+    """The verdict where all is right but for one sign, or two numbers in each other's place."""
+    names, allowed = task.field["names"], float(task.field["tolerance"])
     for i, name in enumerate(names):
         turned = [*got[:i], -got[i], *got[i + 1 :]]
         if math.dist(turned, right_one) <= allowed:
@@ -67,12 +85,4 @@ def judge(task: Task, reply: str) -> Verdict:
             swapped[i], swapped[j] = got[j], got[i]
             if math.dist(swapped, right_one) <= allowed:
                 return task.verdict(False, "swapped", first=names[j], second=names[i])
-    rights = [
-        name for name, a, b in zip(names, got, right_one, strict=True) if abs(a - b) <= allowed / len(names)
-    ]
-    distance = f"{off:.3g}{unit}"
-    if rights:
-        return task.verdict(False, "partly", distance=distance, names=", ".join(rights))
-    if off <= max(NEAR_TOLERANCES * allowed, NEAR_SHARE * length):
-        return task.verdict(False, "near", distance=distance)
-    return task.verdict(False, "wrong", distance=distance)
+    return None
