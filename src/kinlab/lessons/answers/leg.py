@@ -57,6 +57,27 @@ def same_height(robot: str, alpha: float, beta: float, gamma: float, turn: float
     return "same" if abs(change) < 1e-6 else "up" if change > 0 else "down"
 
 
+def level_distance(x: float, y: float) -> float:
+    """How far a place is from the coxa's axis, seen from above, mm."""
+    return float(np.hypot(x, y))
+
+
+def direction(x: float, y: float) -> float:
+    """The angle at which a place lies, seen from above."""
+    return float(np.degrees(np.arctan2(y, x)))
+
+
+def knee(robot: str, x: float, y: float, z: float, limb: str = "") -> float:
+    """The tibia's angle for a foot at (x, y, z), the knee up."""
+    found = _leg(robot, limb).ik(np.array([x, y, z]) / 1000)
+    return float(np.degrees(found.solutions[found.names.index("knee-up"), 2]))
+
+
+def inner_angle(robot: str, x: float, y: float, z: float, limb: str = "") -> float:
+    """As `knee`, the angle inside the triangle."""
+    return 180 + knee(robot, x, y, z, limb)
+
+
 def reach(robot: str, x: float, y: float, z: float, limb: str = "") -> Reach:
     """The joint angles that bring the foot to (x, y, z)."""
     return limb_reach(_leg(robot, limb), (x, y, z))
