@@ -21,6 +21,13 @@ def ways_within_limits(robot: str, x: float, y: float, z: float) -> int:
     return int(_solve(robot, x, y, z).within_limits.sum())
 
 
+def telling(robot: str, x: float, y: float, z: float) -> bool:
+    """Whether limits allow some way to a place, and no angle is within a degree of one of them."""
+    leg, found = _leg(robot), _solve(robot, x, y, z)
+    near = np.abs(found.solutions[:2] - leg.limits[:, None, :]) < np.radians(1.0)
+    return bool(found.reachable) and not near.any()
+
+
 def knee_up(robot: str, x: float, y: float, z: float) -> dict[str, float]:
     """The pose with the knee above the line from the femur's joint to the foot: alpha, beta, gamma."""
     return dict(zip(("alpha", "beta", "gamma"), _pose(robot, x, y, z, "knee-up"), strict=True))
@@ -84,24 +91,23 @@ def servo_of(robot: str, limb: str, joint: str) -> dict[str, float]:
     return {"id": servo.id, "zero": servo.zero_deg, "sign": servo.sign, "step": servo.model.deg_per_step}
 
 
-def limit_ticks(robot: str, limb: str, joint: str) -> list[int]:
+def limit_ticks(robot: str, limb: str, joint: str, low: float, high: float) -> list[int]:
     """What the servo's CW Angle Limit and CCW Angle Limit are to hold: the lower tick, then the higher."""
     leg = _leg(robot, limb)
-    i = leg.joint_names.index(joint)
-    servo = leg.joints[i].servo
+    servo = leg.joints[leg.joint_names.index(joint)].servo
     assert servo is not None
-    return sorted(int(tick) for tick in servo.command(leg.limits[:, i]))
+    return sorted(int(tick) for tick in servo.command(np.radians([low, high])))
 
 
-def limit_ticks_swapped(robot: str, limb: str, joint: str) -> list[int]:
+def limit_ticks_swapped(robot: str, limb: str, joint: str, low: float, high: float) -> list[int]:
     """As `limit_ticks`, the higher one first."""
-    return limit_ticks(robot, limb, joint)[::-1]
+    return limit_ticks(robot, limb, joint, low, high)[::-1]
 
 
-def limit_ticks_unmounted(robot: str, limb: str, joint: str) -> list[int]:
-    """As `limit_ticks`, the sign of the mounting forgotten."""
-    servo, span = servo_of(robot, limb, joint), limits(robot, limb, joint)
-    return [round((servo["zero"] + span[end]) / servo["step"]) for end in ("lower", "upper")]
+def limit_ticks_unmounted(robot: str, limb: str, joint: str, low: float, high: float) -> list[int]:
+    """As `limit_ticks`, zero and sign of the mounting forgotten."""
+    step = servo_of(robot, limb, joint)["step"]
+    return [round(low / step), round(high / step)]
 
 
 def _leg(robot: str, limb: str = "") -> Limb:
