@@ -16,7 +16,7 @@ from kinlab.lessons.filling import UnknownNameError, fill
 from kinlab.lessons.kinds import judge, kind_of
 from kinlab.lessons.lesson import Exercise, Figure, Lesson, Place, Prose
 from kinlab.lessons.parameters import lesson_values
-from kinlab.lessons.progress import Event, Progress, Standing
+from kinlab.lessons.progress import Event, Progress, Standing, Unkept
 from kinlab.lessons.replies import LONGEST_SCRIPT
 from kinlab.lessons.task import Task, Verdict
 
@@ -71,6 +71,11 @@ class Sitting:
             exercise.id: Task(lesson, exercise, progress.seed, language, self.shared)
             for exercise in lesson.exercises
         }
+
+    @classmethod
+    def alone(cls, lesson: Lesson, seed: str, language: str) -> "Sitting":
+        """A sitting of which nothing is kept, for the student with that seed."""
+        return cls(lesson, Unkept(seed), language)
 
     @property
     def fallback(self) -> bool:
