@@ -80,6 +80,11 @@ def rounded(robot: str, alpha: float, beta: float, gamma: float) -> float:
     return float(np.linalg.norm(tip - leg.fk(q)[:3, 3])) * 1000
 
 
+def rounds_much(robot: str, alpha: float, beta: float, gamma: float) -> bool:
+    """Whether rounding moves the foot far enough to be found with a calculator."""
+    return rounded(robot, alpha, beta, gamma) > 0.2
+
+
 def joint_ticks(robot: str, alpha: float, beta: float, gamma: float) -> list[int]:
     """The three commands of a leg."""
     readings = read_servos(load_robot(robot).limb(), np.radians([alpha, beta, gamma]))[0]
@@ -97,6 +102,11 @@ def mounting(robot: str, limb: str, joint: str) -> dict[str, float]:
     """How a joint's servo is mounted: its zero, its sign, its step."""
     servo = _servo(robot, limb, joint)
     return {"zero": servo.zero_deg, "sign": servo.sign, "step": servo.model.deg_per_step}
+
+
+def zeros(robot: str) -> list[float]:
+    """The zeros of the servos of a robot's first leg, from the body to the foot."""
+    return [joint.servo.zero_deg for joint in load_robot(robot).limb().joints if joint.servo]
 
 
 def measured() -> dict[str, float]:
