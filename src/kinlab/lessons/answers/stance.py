@@ -5,7 +5,7 @@ import numpy as np
 from kinlab.kinematics.body import feet_from_body
 from kinlab.kinematics.transforms import rpy_to_rotation
 from kinlab.robots import load_robot
-from kinlab.robots.body import stand
+from kinlab.robots.body import body_pose
 
 
 def standing(robot: str, limb: str) -> list[float]:
@@ -50,14 +50,13 @@ def foot_turned_along(
     robot: str, limb: str, tx: float = 0.0, ty: float = 0.0, tz: float = 0.0, yaw: float = 0.0
 ) -> list[float]:
     """As `foot`, the shift undone, but turned the way the body turns."""
-    return foot(robot, limb, tx, ty, tz, yaw=-yaw) if not (tx or ty) else _turned_along(
-        robot, limb, tx, ty, tz, yaw
-    )  # fmt: skip
-
-
-def _turned_along(robot: str, limb: str, tx: float, ty: float, tz: float, yaw: float) -> list[float]:
     R = rpy_to_rotation(np.radians([0.0, 0.0, yaw]))
     return [float(v) for v in R @ (np.array(standing(robot, limb)) - [tx, ty, tz])]
+
+
+def stands_at(robot: str, limb: str) -> float:
+    """z of a foot before the body moves."""
+    return standing(robot, limb)[2]
 
 
 def height(robot: str, limb: str, tz: float) -> float:
@@ -86,11 +85,22 @@ def height_without_its_own(robot: str, limb: str, roll: float) -> float:
     return height_rolled(robot, limb, roll) - z * float(np.cos(np.radians(roll)))
 
 
-def impossible(robot: str, roll: float) -> dict[str, str]:
-    """The first leg that cannot follow a roll, and why."""
-    legs = stand(load_robot(robot), (0, 0, 0), (roll, 0, 0)).to_json()["legs"]
-    leg, found = next((name, found) for name, found in legs.items() if not found["reachable"])
-    return {"leg": leg, "reason": found["reason"]}
+def impossible(robot: str, roll: float) -> dict[str, float | str]:
+    """The first leg that cannot follow a roll, and the angle of which joint would have to go beyond which limit."""
+    one = load_robot(robot)
+    pose = body_pose(one, np.zeros(3), np.radians([roll, 0.0, 0.0]))
+    i = int(np.argmin(pose.reachable))
+    leg = one.legs[i]
+    q = leg.ik(leg.to_limb(pose.feet[i], "body")).solutions[0]
+    over = np.maximum(leg.limits[0] - q, q - leg.limits[1])
+    worst = int(np.argmax(over))
+    side = 0 if q[worst] < leg.limits[0, worst] else 1
+    return {
+        "leg": leg.name,
+        "joint": leg.joint_names[worst],
+        "needs": float(np.degrees(q[worst])),
+        "limit": float(np.degrees(leg.limits[side, worst])),
+    }
 
 
 def misprint(robot: str, tx: float, ty: float) -> str:
