@@ -1,9 +1,13 @@
 """How a foot flies: places in mm, times in s, speeds in mm/s; s is the progress of the swing, from 0 to 1."""
 
+from functools import cache
+
 import numpy as np
 
-from kinlab.gait import find_curve
+from kinlab.gait import Walk, find_curve, find_gait, plan
 from kinlab.gait.swing import CURVES
+from kinlab.papers.footsteps import krsri_printed
+from kinlab.robots import load_robot
 
 CURVE = "line-sine"
 
@@ -24,15 +28,29 @@ def point_on_a_triangle(stroke: float, lift: float, s: float) -> list[float]:
     return [stroke * s, lift * (1 - abs(2 * s - 1))]
 
 
-def printed_height(lift: float, s: float) -> float:
-    """The height by (26) as it is printed: z_max + sin(pi t)."""
-    return lift + float(np.sin(np.pi * s))
+def misprint(equations: list[str], stroke: float, lift: float) -> int:
+    """Which of krsri-hexapod's `equations`, letter for letter, leaves the corrected way farthest behind.
+
+    (24) and (26) are compared with what they must mean; (25) is (24) to the side, (27) a time.
+    """
+    s = np.linspace(0.0, 1.0, 9)
+    curve = CURVES[CURVE]
+    printed = krsri_printed(s, stroke, lift)
+    off = {
+        "24": np.abs(printed[:, 0] - stroke * curve.along.value(s)).max(),
+        "26": np.abs(printed[:, 1] - lift * curve.height.value(s)).max(),
+    }
+    return equations.index(max(equations, key=lambda number: off.get(number, 0.0))) + 1
 
 
-def misprint(lines: list[str], lift: float) -> int:
-    """Which of `lines` leaves the ground at lift-off: of "x", "y" (24), (25) and "z" (26)."""
-    heights = {"x": 0.0, "y": 0.0, "z": printed_height(lift, 0.0)}
-    return lines.index(max(lines, key=lambda line: abs(heights.get(line, 0.0)))) + 1
+def usual(robot: str, gait: str) -> dict[str, float]:
+    """KinLab's usual walk of a robot: stroke, lift, speed, times, and how fast a foot comes down with line and sine."""
+    walk = _walk(robot, gait)
+    lift = walk.lift * 1000
+    return {
+        "stroke": walk.stroke * 1000, "lift": lift, "speed": walk.speed * 1000, "duty": walk.duty,
+        "period": walk.period, "swing": walk.swing_time, "knock": knock(lift, walk.swing_time),
+    }  # fmt: skip
 
 
 def stance_time(stroke: float, speed: float) -> float:
@@ -84,3 +102,9 @@ def slide_key(stroke: float, speed: float, duty: float, curve: str) -> str:
     """The same as the key of an option: "rest", "along" with the body, or "twice" as fast."""
     share = slide(stroke, speed, duty, curve) / speed
     return "rest" if share < 0.1 else "along" if share < 1.5 else "twice"
+
+
+@cache
+def _walk(robot: str, gait: str) -> Walk:
+    one = load_robot(robot)
+    return plan(one, find_gait(one, gait))
