@@ -2,6 +2,7 @@
 
 import math
 from fractions import Fraction
+from functools import cache
 
 from kinlab.gait import find_gait, plan, wave_gait
 from kinlab.gait.limits import assess
@@ -10,19 +11,20 @@ from kinlab.robots import load_robot
 ROWS = ("1", "2", "3")
 
 
-def duty(legs: int, aloft: int) -> float:
-    """The share of the cycle that each leg stands where `aloft` of them are always in the air."""
-    return 1 - aloft / legs
+def duty_of(robot: str, gait: str) -> float:
+    """The duty factor of a gait of KinLab's."""
+    return float(find_gait(load_robot(robot), gait).duty)
 
 
-def share_in_the_air(legs: int, aloft: int) -> float:
+def air_of(robot: str, gait: str) -> float:
     """What remains of it."""
-    return aloft / legs
+    return 1 - duty_of(robot, gait)
 
 
-def legs_over_aloft(legs: int, aloft: int) -> float:
-    """As `duty`, of the legs in the air."""
-    return aloft / (legs - aloft)
+def aloft(robot: str, gait: str) -> int:
+    """How many legs are in the air at a time."""
+    phases = find_gait(load_robot(robot), gait).phases
+    return max(len(phase.swing) for phase in phases)
 
 
 def orders(legs: int) -> int:
@@ -38,6 +40,11 @@ def rounds(legs: int) -> int:
 def touchdown(beta: str, row: int) -> float:
     """When a left leg of a hexapod lands in the wave gait; its front leg is row 0, and lands at 0."""
     return float(wave_gait(3, Fraction(beta))[2 * row])
+
+
+def rear_touchdown(beta: str) -> float:
+    """That of the rear leg."""
+    return touchdown(beta, 2)
 
 
 def touchdown_from_the_front(beta: str, row: int) -> float:
@@ -74,6 +81,11 @@ def speed_upside_down(stroke: float, time: float, beta: float) -> float:
 
 def fastest(robot: str, gait: str) -> float:
     """The highest speed that the servos allow at KinLab's usual stroke and lift."""
+    return _fastest(robot, gait)
+
+
+@cache
+def _fastest(robot: str, gait: str) -> float:
     one = load_robot(robot)
     found = assess(plan(one, find_gait(one, gait))).fastest
     assert found is not None
