@@ -4,7 +4,7 @@ import math
 from fractions import Fraction
 from functools import cache
 
-from kinlab.gait import find_gait, plan, wave_gait
+from kinlab.gait import Gait, find_gait, plan, wave_gait
 from kinlab.gait.limits import assess
 from kinlab.robots import load_robot
 
@@ -13,7 +13,7 @@ ROWS = ("1", "2", "3")
 
 def duty_of(robot: str, gait: str) -> float:
     """The duty factor of a gait of KinLab's."""
-    return float(find_gait(load_robot(robot), gait).duty)
+    return float(_gait(robot, gait).duty)
 
 
 def air_of(robot: str, gait: str) -> float:
@@ -23,8 +23,7 @@ def air_of(robot: str, gait: str) -> float:
 
 def aloft(robot: str, gait: str) -> int:
     """How many legs are in the air at a time."""
-    phases = find_gait(load_robot(robot), gait).phases
-    return max(len(phase.swing) for phase in phases)
+    return max(len(phase.swing) for phase in _gait(robot, gait).phases)
 
 
 def orders(legs: int) -> int:
@@ -87,6 +86,11 @@ def fastest(robot: str, gait: str) -> float:
 @cache
 def _fastest(robot: str, gait: str) -> float:
     one = load_robot(robot)
-    found = assess(plan(one, find_gait(one, gait))).fastest
+    found = assess(plan(one, _gait(robot, gait))).fastest
     assert found is not None
     return found * 1000
+
+
+@cache
+def _gait(robot: str, gait: str) -> Gait:
+    return find_gait(load_robot(robot), gait)

@@ -1,8 +1,10 @@
 """How safely a robot stands: support polygons and their margins. Millimetres and degrees."""
 
+from functools import cache
+
 import numpy as np
 
-from kinlab.gait import find_gait, least_margins, plan, theory, wave_margin
+from kinlab.gait import find_gait, least_margins, plan, wave_margin
 from kinlab.gait.support import energy_margin, margins
 from kinlab.robots import load_robot
 
@@ -39,11 +41,15 @@ def nearest_edge(robot: str, back: float) -> str:
     return min(found, key=lambda name: found[name])
 
 
-def one_side(robot: str) -> float:
-    """The margin of a robot that stands on the three legs of one side: negative."""
+def holding(robot: str) -> str:
+    """Which three legs hold the robot by themselves: those of one "side", those in "front", or a "tripod"."""
     one = load_robot(robot)
-    places = np.array([foot[:2] for leg, foot in zip(one.legs, one.standing_feet, strict=True) if leg.name[0] == "L"])
-    return float(margins(places * 1000, np.zeros(2)).static)
+    places = dict(zip((leg.name for leg in one.legs), one.standing_feet[:, :2], strict=True))
+    sets = {"side": ("L1", "L2", "L3"), "front": ("L1", "R1", "L2"), "tripod": TRIPOD}
+    return max(
+        sets,
+        key=lambda name: float(margins(np.array([places[leg] for leg in sets[name]]), np.zeros(2)).static),
+    )
 
 
 def formula(pairs: int, beta: float, pitch: float, stroke: float) -> float:
@@ -62,17 +68,13 @@ def formula_plus(pairs: int, beta: float, pitch: float, stroke: float) -> float:
 
 
 def least(robot: str, gait: str) -> dict[str, float]:
-    """The smallest margins of a gait at KinLab's usual stroke, and the formula's where it applies."""
-    one = load_robot(robot)
-    walk = plan(one, find_gait(one, gait))
-    found = least_margins(walk)
-    by_theory = theory(walk)
-    return {
-        "static": min(phase.static for phase in found) * 1000,
-        "along": min(phase.longitudinal or 0.0 for phase in found) * 1000,
-        "stroke": walk.stroke * 1000,
-        "formula": float("nan") if by_theory is None else by_theory * 1000,
-    }
+    """The smallest margins of a gait at KinLab's usual stroke, and that stroke."""
+    return _least(robot, gait)
+
+
+def steadier(robot: str, one: str, other: str) -> str:
+    """Which of two gaits has the larger least margin."""
+    return max((one, other), key=lambda gait: _least(robot, gait)["static"])
 
 
 def energy(distance: float, height: float) -> float:
@@ -97,3 +99,13 @@ def tipping_upside_down(distance: float, height: float) -> float:
 
 def _feet(robot: str, back: float) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:
     return np.array(list(feet(robot, back).values()))
+
+
+@cache
+def _least(robot: str, gait: str) -> dict[str, float]:
+    one = load_robot(robot)
+    walk = plan(one, find_gait(one, gait))
+    return {
+        "static": min(phase.static for phase in least_margins(walk)) * 1000,
+        "stroke": walk.stroke * 1000,
+    }
