@@ -2,6 +2,7 @@
 
 import sys
 from collections.abc import Callable
+from contextlib import suppress
 from enum import Enum, auto
 
 import typer
@@ -58,6 +59,9 @@ class Session:
     def run(self) -> None:
         """The whole lesson, from its beginning; exercises that are done are passed by."""
         sitting = self.sitting
+        with suppress(ImportError):
+            # Lines can be edited and called back.
+            import readline  # noqa: F401
         self._welcome()
         number = 0
         fell_back = sitting.fallback
@@ -70,7 +74,13 @@ class Session:
                 print_lines(prose(part.markdown))
             elif isinstance(part, Task):
                 number += 1
-                if self._exercise(part, number) is After.QUIT:
+                try:
+                    after = self._exercise(part, number)
+                except KeyboardInterrupt:
+                    typer.echo()
+                    self._say("kept", lesson=sitting.lesson.id)
+                    raise
+                if after is After.QUIT:
                     typer.echo()
                     self._say("kept", lesson=sitting.lesson.id)
                     return
