@@ -2,7 +2,7 @@
 
 import re
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -10,7 +10,6 @@ from kinlab.errors import KinlabError
 from kinlab.language import LANGUAGES
 from kinlab.lessons import lint_texts
 from kinlab.lessons.course import Course
-from kinlab.lessons.drawing import draw
 from kinlab.lessons.kinds import judge, kind_of
 from kinlab.lessons.lesson import Exercise, Lesson, LessonError, Place
 from kinlab.lessons.parameters import exercise_values, lesson_values
@@ -130,7 +129,7 @@ def _tried(lesson: Lesson) -> list[Finding]:
     try:
         for code in LANGUAGES:
             for i in range(DRAWN_FIGURES):
-                found += _shown(lesson, f"seed-{i}", code, shared[i])
+                found += _shown(lesson, f"seed-{i}", code)
     except LessonError as error:
         found.append(_of_error(error))
     return found
@@ -207,13 +206,13 @@ def _texts(task: Task) -> None:
             task.text(text)
 
 
-def _shown(lesson: Lesson, seed: str, language: str, shared: Mapping[str, Any]) -> Iterator[Finding]:
+def _shown(lesson: Lesson, seed: str, language: str) -> Iterator[Finding]:
     """What is wrong with the prose and the figures of one student."""
     sitting = Sitting.alone(lesson, seed, language)
     sitting.parts()
     for figure in lesson.figures:
         for plain in (False, True):
-            picture = draw(figure, shared, "", WIDTH, plain)
+            picture = sitting.picture(figure, WIDTH, ascii_only=plain)
             wide = max((sum(len(text) for text, _ in row) for row in picture.rows), default=0)
             if not picture.text.strip():
                 yield Finding(figure.place, f"figure '{figure.id}' is empty")

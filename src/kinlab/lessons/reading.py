@@ -19,6 +19,8 @@ from kinlab.lessons.lesson import Lesson, LessonError, Part, Place, Prose
 _FENCE = re.compile(r"^(`{3,}|~{3,})\s*([a-z]*)")
 _LINE_OF_TOML = re.compile(r"\(at line (\d+), column \d+\)")
 _LARGEST = 1_000_000
+# What a terminal would obey, and what turns the direction of text around.
+_ODD = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069]")
 
 
 @dataclass(frozen=True)
@@ -147,11 +149,12 @@ def read_page(path: Path, name: str) -> Page:
     except UnicodeDecodeError as error:
         line = raw[: error.start].count(b"\n") + 1
         raise Place(name, line).error("is not UTF-8 text") from None
-    lines = text.replace("\r\n", "\n").split("\n")
-    for number, line_text in enumerate(lines, 1):
-        odd = next((c for c in line_text if c != "\t" and (ord(c) < 32 or 127 <= ord(c) < 160)), None)
-        if odd:
-            raise Place(name, number).error(f"holds the control character U+{ord(odd):04X}")
+    text = text.replace("\r\n", "\n")
+    lines = text.split("\n")
+    odd = _ODD.search(text)
+    if odd:
+        line = text.count("\n", 0, odd.start()) + 1
+        raise Place(name, line).error(f"holds the control character U+{ord(odd[0]):04X}")
     if lines[0].rstrip() != "+++":
         raise place.error("begins with no front matter: TOML between two lines of +++")
     end = next((i for i in range(1, len(lines)) if lines[i].rstrip() == "+++"), None)
@@ -179,10 +182,17 @@ def _split(lines: list[str], start: int, name: str) -> list[tuple[str, Place] | 
             continue
         place = Place(name, at + 1)
         mark, kind = fence[1], fence[2]
-        end = next((i for i in range(at + 1, len(lines)) if lines[i].rstrip() == mark), None)
-        if end is None:
+        ours = kind in ("exercise", "figure")
+        # A block of ours holds no fences: another one that opens before it ends is a forgotten end.
+        ends = (
+            i
+            for i in range(at + 1, len(lines))
+            if lines[i].rstrip() == mark or (ours and _FENCE.match(lines[i]))
+        )
+        end = next(ends, None)
+        if end is None or lines[end].rstrip() != mark:
             raise place.error(f"the block has no end: a line of {mark}")
-        if kind in ("exercise", "figure"):
+        if ours:
             prose(at)
             data = _toml(lines[at + 1 : end], place)
             block = Block(kind, data, place, tuple(lines[at + 1 : end]))

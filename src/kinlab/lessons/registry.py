@@ -105,8 +105,12 @@ def evaluate(call: Call, room: str, values: Mapping[str, Any]) -> Any:
         LessonError: it cannot, with the reason.
     """
     given = arguments(call, room, values)
+    function = find(call, room)
+    key = (function, repr(sorted(given.items()))) if _plain(list(given.values())) else None
+    if key in _COMPUTED:
+        return _COMPUTED[key]
     try:
-        return find(call, room)(**given)
+        found = function(**given)
     except LessonError:
         raise
     except KinlabError as error:
@@ -115,3 +119,22 @@ def evaluate(call: Call, room: str, values: Mapping[str, Any]) -> Any:
         # What a lesson gives may be of the wrong kind in every way; the lesson is at fault, not the program.
         shown = ", ".join(f"{name}={value!r:.40}" for name, value in given.items())
         raise call.place.error(f"{call.name}({shown}) failed: {type(error).__name__}: {error}") from None
+    if key:
+        if len(_COMPUTED) >= MOST_KEPT:
+            _COMPUTED.clear()
+        _COMPUTED[key] = found
+    return found
+
+
+# What was computed last: the same for the same arguments, and asked for again by every text and every try.
+_COMPUTED: dict[Any, Any] = {}
+MOST_KEPT = 20_000
+
+
+def _plain(value: Any) -> bool:
+    """Whether a value's `repr` says all of it."""
+    if isinstance(value, list | tuple):
+        return all(_plain(each) for each in value)
+    if isinstance(value, dict):
+        return all(isinstance(key, str) and _plain(each) for key, each in value.items())
+    return type(value) in (int, float, str, bool)

@@ -32,8 +32,7 @@ _OTHER_NAMES = {
     "radian": "rad", "radians": "rad", "turns": "turn", "putaran": "turn", "rev": "turn",
     "sec": "s", "seconds": "s", "second": "s", "detik": "s", "µs": "us", "μs": "us",
     "°/s": "deg/s", "meter": "m", "metre": "m", "metres": "m", "hz": "Hz",
-    "kgcm": "kgfcm", "kg.cm": "kgfcm", "baud": "bps", "bit/s": "bps", "percent": "%", "persen": "%",
-    "mn.m": "mNm", "n.m": "Nm", "n.mm": "Nmm",
+    "kgcm": "kgfcm", "baud": "bps", "bit/s": "bps", "percent": "%", "persen": "%",
 }  # fmt: skip
 
 # Keys such as arrows, which a terminal types as several characters.
@@ -149,7 +148,7 @@ def _unit(text: str) -> str:
     Raises:
         UnreadableError: there is no such unit.
     """
-    plain = re.sub(r"[\s·*]", "", text)
+    plain = re.sub(r"[\s·*.]", "", text)
     if not plain or plain in UNITS:
         return plain
     folded = plain.casefold()

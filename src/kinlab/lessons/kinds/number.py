@@ -15,15 +15,15 @@ SLACK = 0.01
 
 def shape(task: Task) -> str:
     """The unit, and how exact is exact enough."""
-    unit = task.field.get("unit", "")
-    if "tolerance" in task.field:
-        return task.say("number.shape", unit=unit or task.say("number.no-unit"), tolerance=_margin(task))
-    share = f"{100 * task.field['relative']:g} %"
-    return task.say("number.shape", unit=unit or task.say("number.no-unit"), tolerance=share)
+    unit = task.field.get("unit", "") or task.say("number.no-unit")
+    return task.say("number.shape", unit=unit, tolerance=_margin(task))
 
 
 def _margin(task: Task) -> str:
-    return f"{task.field['tolerance']:g} {task.field.get('unit', '')}".strip()
+    """How far off is still right, as a person reads it."""
+    if "tolerance" in task.field:
+        return f"{task.field['tolerance']:g}{_shown_unit(task)}"
+    return f"{100 * task.field['relative']:g} %"
 
 
 def right(task: Task) -> str:
@@ -70,7 +70,7 @@ def judge(task: Task, reply: str) -> Verdict:
         return task.verdict(False, "sign")
     allowed = tolerance(task, want)
     if abs(got - want) <= max(NEAR_TOLERANCES * allowed, NEAR_SHARE * abs(want)):
-        return task.verdict(False, "near", tolerance=value_text(allowed, allowed), unit=_shown_unit(task))
+        return task.verdict(False, "near", tolerance=_margin(task))
     return task.verdict(False, "wrong")
 
 
