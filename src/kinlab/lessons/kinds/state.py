@@ -27,6 +27,7 @@ class Workbench:
 
     Attributes:
         session: the sandbox.
+        chain: the servos behind it.
         lines: those that were carried out.
     """
 
@@ -34,12 +35,15 @@ class Workbench:
         self.task = task
         self.goal = goal_of(task)
         self.session = Session(self.goal.chain, baud=1_000_000)
+        self.chain = self.session.emulated
         for line in self.goal.setup:
             if line.split()[:1] and line.split()[0] in FILES:
                 raise task.exercise.place.error(f"a setup reads and writes no files: {line}")
             execute(self.session, line)
         self.session.history.clear()
         self.session.exchanges.clear()
+        if self.goal.as_real:
+            self.session = Session(port=self.session.port)
         self.session.port.baud = self.goal.baud
         if self.goal.protocol:
             self.session.protocol = self.goal.protocol
@@ -109,7 +113,7 @@ class Workbench:
                     yield self.task.say("state.tip", distance=f"{off:.1f}", within=f"{wanted.within_mm:g}")
 
     def _register(self, servo: int, register: str) -> int:
-        found = self.session.emulated.servo(servo)
+        found = self.chain.servo(servo)
         found.advance(self.session.port.clock.now())
         found.measure()
         return int(found.memory[found.table.find(register).name])
