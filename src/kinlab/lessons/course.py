@@ -8,6 +8,7 @@ from pathlib import Path
 from kinlab.errors import FileError
 from kinlab.language import LANGUAGES
 from kinlab.lessons.lesson import Lesson, LessonError, Place
+from kinlab.lessons.progress import Progress
 from kinlab.lessons.reading import read_lesson
 from kinlab.names import resolve
 from kinlab.shipped import shipped
@@ -56,6 +57,16 @@ class Course:
         if broken is not None and name not in self.lessons:
             raise broken
         return self.lessons[resolve(name, self.lessons, "lesson")]
+
+    def next_for(self, progress: Progress) -> Lesson | None:
+        """The first lesson that a student has not finished; None where all are."""
+        for lesson in self.lessons.values():
+            if not all(
+                progress.standing(lesson.id, lesson.version, exercise.id).done
+                for exercise in lesson.exercises
+            ):
+                return lesson
+        return None
 
 
 def load_course(folder: Path | None = None) -> Course:

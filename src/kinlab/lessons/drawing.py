@@ -1,13 +1,12 @@
 """A lesson's figures, drawn by the core when they are looked at."""
 
-import inspect
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
 from kinlab.canvas import Canvas
 from kinlab.lessons.lesson import Figure
-from kinlab.lessons.registry import evaluate, find
+from kinlab.lessons.registry import evaluate, find, takes
 
 # What every figure function may take besides its data.
 SIZE = ("columns", "ascii_only")
@@ -44,8 +43,8 @@ def draw(figure: Figure, values: Mapping[str, Any], alt: str, columns: int, asci
     Raises:
         LessonError: it cannot be drawn.
     """
-    taken = inspect.signature(find(figure.draw, "figures")).parameters
-    size = {"columns": columns, "ascii_only": ascii_only}
+    taken = takes(find(figure.draw, "figures"))
+    size = dict(zip(SIZE, (columns, ascii_only), strict=True))
     drawn = evaluate(figure.draw, "figures", {**values, **{k: v for k, v in size.items() if k in taken}})
     rows: list[tuple[tuple[str, str], ...]] = []
     for each in drawn if isinstance(drawn, list | tuple) else [drawn]:

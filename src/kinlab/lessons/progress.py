@@ -235,6 +235,20 @@ class Progress:
                 draft.unlink()
 
 
+class Unkept(Progress):
+    """Progress in memory alone, as a check, a preview or a lecturer's recomputation needs it."""
+
+    def __init__(self, seed: str, profile: str = "") -> None:
+        self.profile = profile
+        self.seed = seed
+        self.events = []
+        self.set_aside = None
+
+    def _add(self, event: Event | None) -> None:
+        if event:
+            self.events.append(event)
+
+
 def _parse(raw: bytes) -> tuple[dict[str, Any], list[Event], bool]:
     """The head and the events of a file, and whether all of it is sound."""
     head: dict[str, Any] = {}

@@ -56,13 +56,19 @@ def find(call: Call, room: str) -> Callable[..., Any]:
     return known[name]
 
 
+@cache
+def takes(function: Callable[..., Any]) -> Mapping[str, inspect.Parameter]:
+    """The parameters of a function, by name."""
+    return inspect.signature(function).parameters
+
+
 def arguments(call: Call, room: str, values: Mapping[str, Any]) -> dict[str, Any]:
     """What the function is called with: what the lesson gives, else the value of the parameter's own name.
 
     Raises:
         LessonError: something is missing, or given and not taken.
     """
-    taken = inspect.signature(find(call, room)).parameters
+    taken = takes(find(call, room))
     for name in call.given:
         if name not in taken:
             raise call.place.error(f"{call.name} takes no '{name}'{suggestion(name, taken)}")

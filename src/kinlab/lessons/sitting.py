@@ -11,12 +11,13 @@ sitting.solution("foot")                   # None until three tries were made
 from dataclasses import dataclass
 
 from kinlab.errors import UsageError
+from kinlab.language import words_of
 from kinlab.lessons.drawing import Picture, draw
 from kinlab.lessons.filling import UnknownNameError, fill
 from kinlab.lessons.kinds import judge, kind_of
 from kinlab.lessons.lesson import Exercise, Figure, Lesson, Place, Prose
 from kinlab.lessons.parameters import lesson_values
-from kinlab.lessons.progress import Event, Progress, Standing
+from kinlab.lessons.progress import Event, Progress, Standing, Unkept
 from kinlab.lessons.replies import LONGEST_SCRIPT
 from kinlab.lessons.task import Task, Verdict
 
@@ -72,13 +73,18 @@ class Sitting:
             for exercise in lesson.exercises
         }
 
+    @classmethod
+    def alone(cls, lesson: Lesson, seed: str, language: str) -> "Sitting":
+        """A sitting of which nothing is kept, for the student with that seed."""
+        return cls(lesson, Unkept(seed), language)
+
     @property
     def fallback(self) -> bool:
         """Whether the lesson is not there in the student's language at all."""
         return self.language not in self.lesson.languages
 
     def parts(self) -> list[Text | Figure | Task]:
-        """The lesson in the order in which a student meets it.
+        """The lesson in the order in which a student meets it; a first heading that repeats its title is left out.
 
         Raises:
             LessonError: a placeholder has no value.
@@ -86,7 +92,8 @@ class Sitting:
         found: list[Text | Figure | Task] = []
         for part in self.lesson.parts.get(self.language, self.lesson.parts["en"]):
             if isinstance(part, Prose):
-                found.append(Text(self._fill(part.text, part.place), part.language != self.language))
+                text = part.text if found else _without_title(part.text, self.lesson.title(part.language))
+                found.append(Text(self._fill(text, part.place), part.language != self.language))
             elif isinstance(part, Exercise):
                 found.append(self.tasks[part.id])
             else:
@@ -160,6 +167,10 @@ class Sitting:
         """How the student stands with an exercise."""
         return self.progress.standing(self.lesson.id, self.lesson.version, self._task(name).exercise.id)
 
+    def say(self, key: str, **values: object) -> str:
+        """A sentence of the engine, in the student's language."""
+        return words_of("kinlab.lessons").say(self.language, key, **values)
+
     @property
     def open(self) -> list[str]:
         """The exercises that are still to be done."""
@@ -176,3 +187,9 @@ class Sitting:
 
     def _keep(self, event: str, task: Task, **more: object) -> None:
         self.progress.add(Event.now(event, self.lesson.id, self.lesson.version, task.exercise.id, **more))
+
+
+def _without_title(text: str, title: str) -> str:
+    """Prose without the heading that repeats the title, which every face shows by itself."""
+    first, _, rest = text.partition("\n")
+    return rest.lstrip("\n") if first.strip("# ") == title and rest.strip() else text

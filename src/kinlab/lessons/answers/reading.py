@@ -28,11 +28,6 @@ def off(test: int) -> list[float]:
     return [abs(a - b) for a, b in zip(target(test), reached(test), strict=True)]
 
 
-def off_with_sign(test: int) -> list[float]:
-    """As `off`, with its sign."""
-    return [a - b for a, b in zip(target(test), reached(test), strict=True)]
-
-
 def printed(test: int) -> list[float]:
     """Table 4: what is printed for it."""
     return list(_rows("4")[test - 1])

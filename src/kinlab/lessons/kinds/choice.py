@@ -16,7 +16,7 @@ def letters(task: Task) -> dict[str, str]:
 def shape(task: Task) -> str:
     """The options, and that a letter is enough."""
     options = [f"{letter}) {task.text(task.wording.options[key])}" for letter, key in letters(task).items()]
-    return "\n".join([*options, "", task.say("choice.shape")])
+    return "  \n".join(options) + "\n\n" + task.say("choice.shape")
 
 
 def right(task: Task) -> str:

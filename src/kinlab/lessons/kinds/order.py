@@ -34,7 +34,7 @@ def shape(task: Task) -> str:
     marks = labels(task)
     if task.wording.items:
         items = [f"{mark}) {task.text(task.wording.items.get(key, key))}" for key, mark in marks.items()]
-        return "\n".join([*items, "", task.say("order.shape", example=" ".join(marks.values()))])
+        return "  \n".join(items) + "\n\n" + task.say("order.shape", example=" ".join(marks.values()))
     return task.say("order.shape-keys", items="   ".join(marks))
 
 
