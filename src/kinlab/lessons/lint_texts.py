@@ -16,7 +16,7 @@ from kinlab.names import suggestion
 Found = tuple[Place, str]
 WIDEST_CODE = 80
 _NUMBER = re.compile(r"\d+(?:[.,]\d+)*")
-_CODE = re.compile(r"(?ms)^```.*?^```\s*$|^(?: {4}|\t).*$|`[^`\n]*`")
+_CODE = re.compile(r"(?ms)^```.*?^```\s*$|^(?: {4}|\t)[^\n]*$|`[^`\n]*`")
 _HTML = re.compile(r"</?[a-zA-Z][^<>\n]*>")
 
 

@@ -64,11 +64,6 @@ def knee_rate(robot: str, gamma: float, speed: float) -> float:
     return float(np.degrees(speed / _shortening(robot, gamma)))
 
 
-def knee_rate_in_radians(robot: str, gamma: float, speed: float) -> float:
-    """As `knee_rate`, in radians, taken for degrees."""
-    return float(np.radians(knee_rate(robot, gamma, speed)))
-
-
 def knee_rate_by_the_tibia(robot: str, gamma: float, speed: float) -> float:
     """As `knee_rate`, the foot taken to move by the tibia's length for each radian."""
     return float(np.degrees(speed / lengths(robot)["tibia"]))

@@ -20,11 +20,6 @@ def hung_without_gravity(mass: float, arm: float) -> float:
     return mass / 1000 * arm / 1000
 
 
-def hung_in_millimetres(mass: float, arm: float) -> float:
-    """As `hung`, millimetres taken for metres."""
-    return hung(mass, arm) * 1000
-
-
 def share(torque: float, stall: float) -> float:
     """A torque in per cent of what a servo stalls at."""
     return 100 * torque / stall

@@ -18,11 +18,6 @@ def steady(kf: float, kenv: float, torque: float) -> float:
     return float(np.degrees(kf * torque / kenv))
 
 
-def steady_in_radians(kf: float, kenv: float, torque: float) -> float:
-    """As `steady`, in radians."""
-    return kf * torque / kenv
-
-
 def steady_turned_over(kf: float, kenv: float, torque: float) -> float:
     """As `steady`, spring and gain in each other's place."""
     return float(np.degrees(kenv * torque / kf))

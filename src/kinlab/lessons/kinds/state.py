@@ -104,9 +104,9 @@ class Workbench:
             if isinstance(wanted, Holds):
                 value = self._register(wanted.servo, wanted.register)
                 if not wanted.low <= value <= wanted.high:
-                    yield self.task.say(
-                        "state.holds", servo=wanted.servo, register=wanted.register, value=value
-                    )
+                    # A real bus would not tell whose register it is.
+                    key = "state.holds-real" if self.goal.as_real else "state.holds"
+                    yield self.task.say(key, servo=wanted.servo, register=wanted.register, value=value)
             else:
                 off = self._distance_mm(wanted)
                 if not off <= wanted.within_mm:
@@ -144,7 +144,8 @@ def goal_of(task: Task) -> Goal:
 
 def shape(task: Task) -> str:
     """Whom one talks to, and how."""
-    return task.say("state.shape", chain=goal_of(task).chain)
+    goal = goal_of(task)
+    return task.say("state.shape-real") if goal.as_real else task.say("state.shape", chain=goal.chain)
 
 
 def right(task: Task) -> str:
