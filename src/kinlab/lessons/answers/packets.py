@@ -63,9 +63,7 @@ def write_goal(servo: int, ticks: int) -> bytes:
 def write_goal_high_first(servo: int, ticks: int) -> bytes:
     """As `write_goal`, the high byte of the goal first."""
     address = load_table(AX).by_name["goal_position"].address
-    return encode(
-        Packet(1, servo, BY_NAME[1]["WRITE"].code, bytes((address,)) + two_bytes_high_first(ticks))
-    )
+    return encode(Packet(1, servo, BY_NAME[1]["WRITE"].code, bytes((address,)) + two_bytes_high_first(ticks)))
 
 
 def not_symmetric(ticks: int) -> bool:

@@ -45,7 +45,7 @@ def line(test: int) -> str:
     """Target, place reached and printed error of a test, in one line."""
     places = ", ".join(f"{v:g}" for v in target(test))
     came = ", ".join(f"{v:g}" for v in reached(test))
-    return f"({places})  →  ({came})   printed: {', '.join(f'{v:g}' for v in printed(test))}"
+    return f"({places}) → ({came}): {', '.join(f'{v:g}' for v in printed(test))}"
 
 
 def contradicts(wrong_at: int, wrong: int) -> int:
