@@ -1,5 +1,7 @@
 """What joints must carry: lever arms, J^T f, Newton-Euler. Lengths in mm, masses in g, torques in N m."""
 
+from typing import SupportsFloat
+
 import numpy as np
 
 from kinlab.dynamics import GRAVITY, Mechanism, gravity_torque, inverse_dynamics
@@ -115,5 +117,5 @@ def _pose(shoulder: float, elbow: float) -> Array:
     return np.radians([shoulder, 0.0, elbow])
 
 
-def _round(value: float) -> float:
+def _round(value: SupportsFloat) -> float:
     return round(float(value), 6)
