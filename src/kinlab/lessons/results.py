@@ -87,6 +87,7 @@ class Goal:
         lines: one way to get there.
         protocol, baud: that the student begins with; None: those of the chain, and 1 Mbps.
         forbidden: verbs of the sandbox that would make it too easy, besides those that change a servo from behind.
+        as_real: the chain is talked to as a real bus, of which nothing is known but what it answers.
     """
 
     chain: str
@@ -96,3 +97,4 @@ class Goal:
     protocol: int | None = None
     baud: int = 1_000_000
     forbidden: tuple[str, ...] = ()
+    as_real: bool = False

@@ -9,7 +9,7 @@ from kinlab.lessons.task import Task, Verdict
 
 def shape(task: Task) -> str:
     """The lines with their numbers, as a block of code: equations are full of stars and underscores."""
-    lines = [f"    ({i})  {line}" for i, line in enumerate(task.field["lines"], 1)]
+    lines = [f"    ({i})  {task.text(line)}" for i, line in enumerate(task.field["lines"], 1)]
     return "\n".join([*lines, "", task.say("mistake.shape", count=len(lines))])
 
 

@@ -27,6 +27,7 @@ class Workbench:
 
     Attributes:
         session: the sandbox.
+        chain: the servos behind it.
         lines: those that were carried out.
     """
 
@@ -34,12 +35,15 @@ class Workbench:
         self.task = task
         self.goal = goal_of(task)
         self.session = Session(self.goal.chain, baud=1_000_000)
+        self.chain = self.session.emulated
         for line in self.goal.setup:
             if line.split()[:1] and line.split()[0] in FILES:
                 raise task.exercise.place.error(f"a setup reads and writes no files: {line}")
             execute(self.session, line)
         self.session.history.clear()
         self.session.exchanges.clear()
+        if self.goal.as_real:
+            self.session = Session(port=self.session.port)
         self.session.port.baud = self.goal.baud
         if self.goal.protocol:
             self.session.protocol = self.goal.protocol
@@ -100,16 +104,16 @@ class Workbench:
             if isinstance(wanted, Holds):
                 value = self._register(wanted.servo, wanted.register)
                 if not wanted.low <= value <= wanted.high:
-                    yield self.task.say(
-                        "state.holds", servo=wanted.servo, register=wanted.register, value=value
-                    )
+                    # A real bus would not tell whose register it is.
+                    key = "state.holds-real" if self.goal.as_real else "state.holds"
+                    yield self.task.say(key, servo=wanted.servo, register=wanted.register, value=value)
             else:
                 off = self._distance_mm(wanted)
                 if not off <= wanted.within_mm:
                     yield self.task.say("state.tip", distance=f"{off:.1f}", within=f"{wanted.within_mm:g}")
 
     def _register(self, servo: int, register: str) -> int:
-        found = self.session.emulated.servo(servo)
+        found = self.chain.servo(servo)
         found.advance(self.session.port.clock.now())
         found.measure()
         return int(found.memory[found.table.find(register).name])
@@ -140,7 +144,8 @@ def goal_of(task: Task) -> Goal:
 
 def shape(task: Task) -> str:
     """Whom one talks to, and how."""
-    return task.say("state.shape", chain=goal_of(task).chain)
+    goal = goal_of(task)
+    return task.say("state.shape-real") if goal.as_real else task.say("state.shape", chain=goal.chain)
 
 
 def right(task: Task) -> str:
