@@ -26,6 +26,11 @@ def distance(robot: str, beta: float, gamma: float, limb: str = "") -> float:
     return foot(robot, 0.0, beta, gamma, limb)[0]
 
 
+def height(robot: str, beta: float, gamma: float, limb: str = "") -> float:
+    """How high the foot is over the coxa, mm; below it is negative."""
+    return foot(robot, 0.0, beta, gamma, limb)[2]
+
+
 def distance_without_coxa(robot: str, beta: float, gamma: float, limb: str = "") -> float:
     """As `distance`, the coxa forgotten."""
     return distance(robot, beta, gamma, limb) - lengths(robot, limb)["coxa"]
