@@ -11,9 +11,8 @@ from kinlab.cli.learn_prose import Line, prose, width, wrapped
 from kinlab.cli.printing import print_lines
 from kinlab.errors import KinlabError
 from kinlab.lessons.course import Course
-from kinlab.lessons.kinds.state import Workbench
 from kinlab.lessons.progress import TRIES_BEFORE_SOLUTION
-from kinlab.lessons.replies import LONGEST_SCRIPT, UnreadableError, clean
+from kinlab.lessons.replies import LONGEST_SCRIPT, UnreadableError, clean, quote
 from kinlab.lessons.sitting import WIDTH, Sitting, Text
 from kinlab.lessons.task import Task
 from kinlab.names import suggestion
@@ -188,13 +187,13 @@ class Session:
     def _talk(self, task: Task) -> Callable[[str], bool]:
         """Lines go to an emulated chain; the state is looked at after each."""
         self._say("how-state")
-        bench = Workbench(task)
+        bench = self.sitting.workbench(task.exercise.id)
 
         def answered(typed: str) -> bool:
             nonlocal bench
             word = WORDS.get(typed.strip().casefold())
             if word == "again":
-                bench = Workbench(task)
+                bench = self.sitting.workbench(task.exercise.id)
                 self._say("again")
                 return False
             if not typed.strip():
@@ -206,7 +205,7 @@ class Session:
                     self._markdown(task.say(f"unreadable.{error.code}", **error.values), "odd")
                 except KinlabError as error:
                     print_lines([[("odd", str(error))]])
-                if not bench.reached():
+                if not self.sitting.reached(task.exercise.id, bench.lines):
                     return False
             return self._judged(task, "\n".join(bench.lines))
 
@@ -247,8 +246,8 @@ class Session:
         if term is None:
             self._say(
                 "no-term",
-                text=name[:40],
-                near=suggestion(name[:40], [t.name for t in self.course.glossary.values()]),
+                text=quote(name),
+                near=suggestion(quote(name), [t.name for t in self.course.glossary.values()]),
             )
             return
         meaning = term.meanings.get(self.sitting.language, term.meanings["en"])
