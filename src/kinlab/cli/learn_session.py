@@ -130,9 +130,10 @@ class Session:
 
     def _ask(self, task: Task, answered: Callable[[str], bool]) -> After:
         """Read lines until one of them is the answer, or the student goes on without."""
+        prompt = "talk.prompt-state" if task.exercise.kind == "state" else "talk.prompt"
         while True:
             try:
-                typed = input(self.sitting.say("talk.prompt"))
+                typed = input(self.sitting.say(prompt))
             except EOFError:
                 typer.echo()
                 return After.QUIT
@@ -204,12 +205,19 @@ class Session:
                 except UnreadableError as error:
                     self._markdown(task.say(f"unreadable.{error.code}", **error.values), "odd")
                 except KinlabError as error:
-                    print_lines([[("odd", str(error))]])
+                    self._complain(str(error))
                 if not self.sitting.reached(task.exercise.id, bench.lines):
                     return False
             return self._judged(task, "\n".join(bench.lines))
 
         return answered
+
+    def _complain(self, text: str) -> None:
+        """What the bus or the sandbox says to a line; a caret below it stays where it points."""
+        if "\n" in text:
+            print_lines([[("odd", line)] for line in text.split("\n")])
+        else:
+            self._markdown(text, "odd")
 
     def _offer(self, task: Task) -> None:
         now = self.sitting.standing(task.exercise.id)
