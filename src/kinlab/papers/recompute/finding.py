@@ -1,0 +1,177 @@
+"""What recomputing one printed thing found, and how a verdict comes about: by computation, never by hand."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Any, Literal
+
+from kinlab.papers.figure import Figure
+from kinlab.papers.tables import Cell
+
+Verdict = Literal["reproduced", "explained", "contradicted", "measured"]
+VERDICTS: tuple[Verdict, ...] = ("reproduced", "explained", "contradicted", "measured")
+Kind = Literal["cell", "figure", "equation", "entry"]
+
+
+@dataclass(frozen=True)
+class Cause:
+    """A named way in which a printed figure may have come about, computed.
+
+    Attributes:
+        name: in words: "pi = 22/7", "target less reached, on the neighbouring row".
+        value: what comes out.
+        cut: it was printed with further decimals left off, not rounded.
+        decimals: of the column, where the figure itself lost zeros at its end.
+        arithmetic: how, in one line that a reader can redo by hand.
+    """
+
+    name: str
+    value: float
+    cut: bool = False
+    decimals: int | None = None
+    arithmetic: str = ""
+
+    def gives(self, figure: Figure) -> bool:
+        """Whether this is how `figure` came about."""
+        return (figure.cuts if self.cut else figure.rounds)(self.value, self.decimals)
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One printed thing, recomputed.
+
+    Attributes:
+        paper: its name.
+        where: the place: "Table 4 row 2 theta2", "equation (5)", "abstract, average on z".
+        kind: "cell" of a table, "figure" in the text, numbered "equation", "entry" of a matrix.
+        printed: the figure as it is printed, or the equation's text.
+        recomputed: what the paper's own inputs give; the corrected equation; None where it is measured.
+        unit: of both.
+        verdict: one of `VERDICTS`.
+        cause: why, in words.
+        arithmetic: the computation in one line that a reader can redo by hand.
+        explained_by: the cause that gives the printed figure, where there is one.
+        damaged: the scan did it; not counted against the paper.
+        table, row, column: of a cell; a figure that the text quotes from a table names the table alone.
+    """
+
+    paper: str
+    where: str
+    kind: Kind
+    printed: Figure | str
+    recomputed: float | str | None
+    unit: str
+    verdict: Verdict
+    cause: str
+    arithmetic: str
+    explained_by: Cause | None = None
+    damaged: bool = False
+    table: str = ""
+    row: str = ""
+    column: str = ""
+
+    @property
+    def printed_text(self) -> str:
+        """The print as it stands."""
+        return self.printed.text if isinstance(self.printed, Figure) else self.printed
+
+    def to_json(self) -> dict[str, Any]:
+        """As in the contract: `printed` a number where it is one, and `printed_text` as it stands."""
+        return {
+            "paper": self.paper,
+            "where": self.where,
+            "printed": self.printed.value if isinstance(self.printed, Figure) else self.printed,
+            "recomputed": self.recomputed,
+            "unit": self.unit,
+            "verdict": self.verdict,
+            "cause": self.cause,
+            "kind": self.kind,
+            "printed_text": self.printed_text,
+            "arithmetic": self.arithmetic,
+            "explained_value": None if self.explained_by is None else self.explained_by.value,
+            "damaged": self.damaged,
+            "table": self.table,
+        }
+
+
+@dataclass(frozen=True)
+class Judge:
+    """Makes findings for one paper.
+
+    Attributes:
+        paper: its name.
+    """
+
+    paper: str
+
+    def cell(
+        self,
+        cell: Cell,
+        own: float,
+        arithmetic: str,
+        causes: Iterable[Cause] = (),
+        remark: str = "",
+        decimals: int | None = None,
+    ) -> Finding:
+        """A cell of a table, against `own`: what the paper's own inputs give.
+
+        Args:
+            causes: tried in turn where `own` does not give the printed figure.
+            remark: what a reader must know besides.
+            decimals: of the column, where this figure lost zeros at its end.
+        """
+        place = (cell.table, cell.row, cell.column)
+        return self._judge(
+            cell.where, "cell", cell.figure, own, cell.unit, arithmetic, causes, remark, decimals, place
+        )
+
+    def figure(
+        self,
+        where: str,
+        printed: str,
+        own: float,
+        unit: str,
+        arithmetic: str,
+        causes: Iterable[Cause] = (),
+        remark: str = "",
+        table: str = "",
+        damaged: bool = False,
+    ) -> Finding:
+        """A figure that stands in the text, in the abstract, in a conclusion; `table` is the one it quotes."""
+        figure = Figure(printed, damaged)
+        return self._judge(
+            where, "figure", figure, own, unit, arithmetic, causes, remark, None, (table, "", "")
+        )
+
+    def measured(self, cell: Cell, cause: str) -> Finding:
+        """A cell that the authors measured or chose: there is nothing to compute it from."""
+        return Finding(
+            self.paper, cell.where, "cell", cell.figure, None, cell.unit, "measured", cause, "",
+            damaged=cell.figure.damaged, table=cell.table, row=cell.row, column=cell.column,
+        )  # fmt: skip
+
+    def _judge(
+        self,
+        where: str,
+        kind: Kind,
+        figure: Figure,
+        own: float,
+        unit: str,
+        arithmetic: str,
+        causes: Iterable[Cause],
+        remark: str,
+        decimals: int | None,
+        place: tuple[str, str, str],
+    ) -> Finding:
+        verdict: Verdict = "contradicted"
+        found: Cause | None = None
+        said = remark
+        if figure.rounds(own, decimals):
+            verdict = "reproduced"
+        else:
+            found = next((cause for cause in causes if cause.gives(figure)), None)
+            if found is not None:
+                verdict, said = "explained", "; ".join(filter(None, (found.name, remark)))
+                arithmetic = "; ".join(filter(None, (arithmetic, found.arithmetic)))
+        return Finding(
+            self.paper, where, kind, figure, float(own), unit, verdict, said, arithmetic, found, figure.damaged, *place
+        )  # fmt: skip
