@@ -41,6 +41,7 @@ __all__ = [
 ]
 
 MODULES = {
+    "eros-humanoid": "eros_humanoid",
     "xl430-hexapod": "xl430_hexapod",
 }
 PAPERS = tuple(MODULES)
