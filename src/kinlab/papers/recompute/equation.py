@@ -13,7 +13,6 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kinlab.kinematics.transforms import Array
-from kinlab.papers.equations import NotComputable
 from kinlab.papers.recompute.finding import Finding, Verdict
 
 Quantities = Mapping[str, Array]
@@ -33,11 +32,12 @@ class Equation:
         truth: what it must give, from elsewhere.
         corrected, corrected_value: text and form that are right; none where the print is.
         unit: of its value: "deg" shows radians as degrees.
-        inputs: the quantities that the worked line names, with their units.
+        inputs: what the worked line names: the paper's symbol, the quantity, its unit.
         cause: what is to be known.
         damaged: the scan did it; the verdict is then "explained", and `cause` says what the scan did.
-        reading: the corrected form is what the print means in another convention, which `cause` names: the
-            verdict is then "explained" as well.
+        reading: the printed form in another convention, which `cause` names; where it gives the truth, the
+            verdict is "explained".
+        reading_truth: what it must give, where that convention changes the truth as well.
         entries: of a matrix, its printed texts in rows; each becomes a finding of its own.
     """
 
@@ -48,10 +48,11 @@ class Equation:
     corrected: str = ""
     corrected_value: Form | None = None
     unit: str = ""
-    inputs: Mapping[str, str] | None = None
+    inputs: tuple[tuple[str, str, str], ...] = ()
     cause: str = ""
     damaged: bool = False
-    reading: bool = False
+    reading: Form | None = None
+    reading_truth: Form | None = None
     entries: tuple[tuple[str, ...], ...] = ()
 
 
@@ -59,33 +60,41 @@ def check(paper: str, equation: Equation, samples: Quantities, where: str = "equ
     """The finding for an equation, and those for its entries."""
     truth = np.asarray(equation.truth(samples), float)
     right = equation.corrected_value or equation.value
-    if not _same(np.asarray(right(samples), float), truth).all():
+    if not _same(_value(right, samples, truth), truth).all():
         raise AssertionError(f"{paper} ({equation.number}): the corrected form is not the truth")
-    reason = ""
-    printed = np.full(truth.shape, np.nan)
-    try:
-        with np.errstate(invalid="ignore", divide="ignore"):
-            printed = np.broadcast_to(np.asarray(equation.value(samples), float), truth.shape)
-    except NotComputable as missing:
-        reason = str(missing)
+    printed = _value(equation.value, samples, truth)
     same = _same(printed, truth)
-    excused = equation.damaged or equation.reading
+    excused = equation.damaged or _is_right_as_read(equation, samples, truth)
     verdict: Verdict = "reproduced" if same.all() else "explained" if excused else "contradicted"
     name = f"{where} ({equation.number})"
+    worst = int(np.argmin(same.reshape(len(same), -1).all(axis=1)))
     yield Finding(
-        paper, name, "equation", equation.printed, equation.corrected or equation.printed, equation.unit,
-        verdict, equation.cause, _worked(equation, samples, printed, truth, reason), damaged=equation.damaged,
+        paper, name, "equation", equation.printed, equation.corrected or equation.printed, equation.unit, verdict,
+        equation.cause, _worked(equation, samples, printed, truth, worst), damaged=equation.damaged and not same.all(),
     )  # fmt: skip
     for i, row in enumerate(equation.entries):
         for j, text in enumerate(row):
-            fits = bool(same[..., i, j].all())
-            k = int(np.argmax(np.abs(np.nan_to_num(printed[..., i, j] - truth[..., i, j], nan=np.inf))))
+            k = int(np.argmin(same[:, i, j]))
+            fits = bool(same[:, i, j].all())
             yield Finding(
                 paper, f"{name} entry {i + 1},{j + 1}", "entry", text, text if fits else float(truth[k, i, j]), "",
-                "reproduced" if fits else "explained" if excused else "contradicted", "" if fits else equation.cause,
+                "reproduced" if fits else verdict, "" if fits else equation.cause,
                 f"{_inputs(equation, samples, k)}printed {printed[k, i, j]:.4f}, true {truth[k, i, j]:.4f}",
                 damaged=equation.damaged and not fits,
             )  # fmt: skip
+
+
+def _value(form: Form, samples: Quantities, truth: Array) -> Array:
+    """A form at all samples; NaN where it has no value."""
+    with np.errstate(invalid="ignore", divide="ignore"):
+        return np.broadcast_to(np.asarray(form(samples), float), truth.shape)
+
+
+def _is_right_as_read(equation: Equation, samples: Quantities, truth: Array) -> bool:
+    if equation.reading is None:
+        return False
+    meant = truth if equation.reading_truth is None else _value(equation.reading_truth, samples, truth)
+    return bool(_same(_value(equation.reading, samples, truth), meant).all())
 
 
 def _same(one: Array, other: Array) -> Array:
@@ -93,29 +102,20 @@ def _same(one: Array, other: Array) -> Array:
 
 
 def _inputs(equation: Equation, samples: Quantities, k: int) -> str:
-    shown = []
-    for name, unit in (equation.inputs or {}).items():
-        value = float(np.broadcast_to(samples[name], _length(samples))[k])
-        shown.append(f"{name} = {_shown(value, unit)}")
+    shown = [f"{symbol} = {_shown(float(samples[name][k]), unit)}" for symbol, name, unit in equation.inputs]
     return f"at {', '.join(shown)}: " if shown else ""
 
 
-def _worked(equation: Equation, samples: Quantities, printed: Array, truth: Array, reason: str) -> str:
-    """One line: the inputs of the sample where the print is furthest off, what it gives there, and the truth."""
+def _worked(equation: Equation, samples: Quantities, printed: Array, truth: Array, k: int) -> str:
+    """One line: the inputs of the first sample where the print is off, what it gives there, and the truth."""
     if truth.ndim > 1:
-        same = _same(printed, truth)
-        entries = same.reshape(len(same), -1).all(axis=0)
+        entries = _same(printed, truth).reshape(len(truth), -1).all(axis=0)
         return f"{entries.sum()} of {entries.size} entries agree at {len(truth)} places"
-    k = int(np.argmax(np.abs(np.nan_to_num(printed - truth, nan=np.inf))))
     begin = _inputs(equation, samples, k)
     true = _shown(float(truth[k]), equation.unit)
     if not np.isfinite(printed[k]):
-        return f"{begin}printed form has no value{f' ({reason})' if reason else ''}, true {true}"
+        return f"{begin}the printed form has no value, true {true}"
     return f"{begin}printed {_shown(float(printed[k]), equation.unit)}, true {true}"
-
-
-def _length(samples: Quantities) -> tuple[int, ...]:
-    return (max(len(np.atleast_1d(v)) for v in samples.values()),)
 
 
 def _shown(value: float, unit: str) -> str:

@@ -1,15 +1,16 @@
 """What recomputing one printed thing found, and how a verdict comes about: by computation, never by hand."""
 
-from collections.abc import Iterable
+import math
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, Literal
 
 from kinlab.papers.figure import Figure
-from kinlab.papers.tables import Cell
+from kinlab.papers.tables import Cell, PrintedTable
 
 Verdict = Literal["reproduced", "explained", "contradicted", "measured"]
 VERDICTS: tuple[Verdict, ...] = ("reproduced", "explained", "contradicted", "measured")
-Kind = Literal["cell", "figure", "equation", "entry"]
+Kind = Literal["cell", "figure", "claim", "equation", "entry"]
 
 
 @dataclass(frozen=True)
@@ -35,6 +36,17 @@ class Cause:
         return (figure.cuts if self.cut else figure.rounds)(self.value, self.decimals)
 
 
+def cut(value: float, decimals: int) -> Cause:
+    """The cause that leaves figures a little too near to zero."""
+    places = {0: "the point", 1: "one decimal", 2: "two decimals", 3: "three decimals"}
+    return Cause(
+        f"cut after {places.get(decimals, f'{decimals} decimals')}, not rounded",
+        value,
+        cut=True,
+        decimals=decimals,
+    )
+
+
 @dataclass(frozen=True)
 class Finding:
     """One printed thing, recomputed.
@@ -42,9 +54,10 @@ class Finding:
     Attributes:
         paper: its name.
         where: the place: "Table 4 row 2 theta2", "equation (5)", "abstract, average on z".
-        kind: "cell" of a table, "figure" in the text, numbered "equation", "entry" of a matrix.
-        printed: the figure as it is printed, or the equation's text.
-        recomputed: what the paper's own inputs give; the corrected equation; None where it is measured.
+        kind: "cell" of a table, "figure" in the text, "claim" in words, numbered "equation", "entry" of a matrix.
+        printed: the figure as it is printed, the equation's text, the claim in our words.
+        recomputed: what the paper's own inputs give; the corrected equation; None where it is measured, and
+            where there is no such number, as for a share of nothing.
         unit: of both.
         verdict: one of `VERDICTS`.
         cause: why, in words.
@@ -142,12 +155,40 @@ class Judge:
             where, "figure", figure, own, unit, arithmetic, causes, remark, None, (table, "", "")
         )
 
+    def claim(
+        self,
+        where: str,
+        claim: str,
+        found: str,
+        holds: bool,
+        arithmetic: str,
+        remark: str = "",
+        table: str = "",
+    ) -> Finding:
+        """What the text says in words of its figures, against what they show."""
+        verdict: Verdict = "reproduced" if holds else "contradicted"
+        return Finding(self.paper, where, "claim", claim, found, "", verdict, remark, arithmetic, table=table)
+
     def measured(self, cell: Cell, cause: str) -> Finding:
         """A cell that the authors measured or chose: there is nothing to compute it from."""
         return Finding(
             self.paper, cell.where, "cell", cell.figure, None, cell.unit, "measured", cause, "",
             damaged=cell.figure.damaged, table=cell.table, row=cell.row, column=cell.column,
         )  # fmt: skip
+
+    def averages(self, table: PrintedTable, remarks: Mapping[str, str] | None = None) -> Iterator[Finding]:
+        """The row "average" of a table, each against the column above it.
+
+        Args:
+            remarks: what a reader must know besides, by column.
+        """
+        for name, cell in table.rows["average"].items():
+            column = table.column(name)
+            total, mean = column.sum(), float(column.mean())
+            line = f"{total:.6g} / {len(column)} = {mean:.4f}"
+            yield self.cell(
+                cell, mean, line, [cut(mean, cell.figure.decimals)], (remarks or {}).get(name, "")
+            )
 
     def _judge(
         self,
@@ -165,13 +206,21 @@ class Judge:
         verdict: Verdict = "contradicted"
         found: Cause | None = None
         said = remark
+        tried = list(causes)
         if figure.rounds(own, decimals):
             verdict = "reproduced"
-        else:
-            found = next((cause for cause in causes if cause.gives(figure)), None)
-            if found is not None:
-                verdict, said = "explained", "; ".join(filter(None, (found.name, remark)))
-                arithmetic = "; ".join(filter(None, (arithmetic, found.arithmetic)))
+        elif found := next((cause for cause in tried if cause.gives(figure)), None):
+            verdict, said = "explained", "; ".join(filter(None, (found.name, remark)))
+            arithmetic = "; ".join(filter(None, (arithmetic, found.arithmetic)))
+        elif tried:
+            names = ", ".join(cause.name for cause in tried)
+            said = "; ".join(filter(None, (remark, f"tried in vain: {names}")))
         return Finding(
-            self.paper, where, kind, figure, float(own), unit, verdict, said, arithmetic, found, figure.damaged, *place
+            self.paper, where, kind, figure, _plain(own), unit, verdict, said, arithmetic, found, figure.damaged,
+            *place,
         )  # fmt: skip
+
+
+def _plain(value: float) -> float | None:
+    """A number without the dust that doubles gather, which no print would show; None where there is none."""
+    return round(float(value), 12) + 0.0 if math.isfinite(value) else None

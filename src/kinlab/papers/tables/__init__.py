@@ -3,8 +3,9 @@
 A file `<paper>/table-<number>.csv` begins with a line `# ` that says what the table holds, in our words. Below it
 stands the head: a column named `theta2 [deg]` holds figures (`[]` where they have no unit), a column without
 brackets holds words that name the row (`test`, `leg`). A figure stands as it is printed, with a decimal point
-and all its zeros; one that the scan has damaged ends in `?`; an empty cell is empty in print. A row whose name
-is one of `SUMMARIES` sums up those above it and is no part of their columns.
+and all its zeros; one that the scan has damaged ends in `?`; one whose unit is not that of its column has it
+behind a blank (`0.03 %`); an empty cell is empty in print. A row whose name is one of `SUMMARIES` sums up those
+above it and is no part of their columns.
 """
 
 import csv
@@ -52,6 +53,7 @@ class PrintedTable:
     Attributes:
         paper, number: whose, and which.
         title: what it holds.
+        units: of its columns of figures.
         rows: its cells by row and column, in the order of the print; a cell that is empty in print is not there.
     """
 
@@ -93,14 +95,15 @@ def printed_table(paper: str, number: str) -> PrintedTable:
     rows: dict[str, dict[str, Cell]] = {}
     for line in lines:
         words = [(name, text) for name, unit, text in zip(names, units, line, strict=True) if unit is None]
-        row = " ".join(f"{name} {text}" if text.isdigit() else text for name, text in words)
+        row = " ".join(f"{name} {text}" if text.isdigit() else text for name, text in words if text)
         if row in rows:
             raise ValueError(f"{path}: two rows are named '{row}'")
         rows[row] = {}
         for name, unit, text in zip(names, units, line, strict=True):
             if unit is not None and text:
+                figure, _, own_unit = text.partition(" ")
                 try:
-                    rows[row][name] = Cell(number, row, name, unit, Figure.read(text))
+                    rows[row][name] = Cell(number, row, name, own_unit or unit, Figure.read(figure))
                 except ValueError as wrong:
                     raise ValueError(f"{path}: {row} {name}: {wrong}") from None
     return PrintedTable(
