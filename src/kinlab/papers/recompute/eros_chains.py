@@ -43,7 +43,7 @@ def _matrix(*rows: tuple[ArrayLike, ...]) -> Array:
 
 def head_samples() -> Quantities:
     """Pan and tilt, and the pose that the chain of Table 2 has."""
-    q = whole_degrees(1, (-60, 60), (-60, 60))
+    q = whole_degrees(1, (90, 30), (-60, 60), (-60, 60))
     T = chain.fk((Z, Y), np.outer(HEAD_LENGTHS, Z), q)
     return {"theta1": q[:, 0], "theta2": q[:, 1], "q": q, "T": T}
 
@@ -64,28 +64,28 @@ def _head(sideways: str) -> Form:
     return form
 
 
-ANGLES_12 = {"theta1": DEG, "theta2": DEG}
-P_Y = "d_z2 sin(theta2) sin(theta2)"
-HEAD_CAUSE = "entry 2,4: theta2 for theta1; beside it 2,3 has both. Here d_z1 = 30, d_z2 = 80 mm"
-HEAD_POSITION = (("d_z2 cos(theta1) sin(theta2)",), (P_Y,), ("d_z1 + d_z2 cos(theta2)",))
+ANGLES_12 = (("θ1", "theta1", DEG), ("θ2", "theta2", DEG))
+P_Y = "d_z2 sin(θ2) sin(θ2)"
+HEAD_CAUSE = "entry 2,4: θ2 for θ1; beside it 2,3 has both. Here d_z1 = 30, d_z2 = 80 mm"
+HEAD_POSITION = (("d_z2 cos(θ1) sin(θ2)",), (P_Y,), ("d_z1 + d_z2 cos(θ2)",))
 HEAD = (
     Equation(
         "1", "T_02 = T_01 T_12", lambda s: _steps((Z, Y), np.outer(HEAD_LENGTHS, Z), s["q"]), lambda s: s["T"],
         cause="each T is a row of Table 2: rotation, then translation",
     ),
     Equation(
-        "2", "the matrix multiplied out", _head("theta2"), lambda s: s["T"], "entry 2,4 with sin(theta1)",
+        "2", "the matrix multiplied out", _head("theta2"), lambda s: s["T"], "entry 2,4 with sin(θ1)",
         _head("theta1"), inputs=ANGLES_12, cause=HEAD_CAUSE,
         entries=(
-            ("cos(theta1) cos(theta2)", "-sin(theta1)", "cos(theta1) sin(theta2)", *HEAD_POSITION[0]),
-            ("cos(theta2) sin(theta1)", "cos(theta1)", "sin(theta1) sin(theta2)", *HEAD_POSITION[1]),
-            ("-sin(theta2)", "0", "cos(theta2)", *HEAD_POSITION[2]),
+            ("cos(θ1) cos(θ2)", "-sin(θ1)", "cos(θ1) sin(θ2)", *HEAD_POSITION[0]),
+            ("cos(θ2) sin(θ1)", "cos(θ1)", "sin(θ1) sin(θ2)", *HEAD_POSITION[1]),
+            ("-sin(θ2)", "0", "cos(θ2)", *HEAD_POSITION[2]),
             ("0", "0", "0", "1"),
         ),
     ),
     Equation(
         "3", "P = the last column of (2)", lambda s: _position(_head("theta2")(s)), lambda s: _position(s["T"]),
-        "P_y = d_z2 sin(theta1) sin(theta2)", lambda s: _position(_head("theta1")(s)), unit="mm", inputs=ANGLES_12,
+        "P_y = d_z2 sin(θ1) sin(θ2)", lambda s: _position(_head("theta1")(s)), unit="mm", inputs=ANGLES_12,
         cause=HEAD_CAUSE.replace("entry 2,4", "P_y"), entries=HEAD_POSITION,
     ),
 )  # fmt: skip
@@ -96,7 +96,7 @@ HEAD = (
 
 def arm_samples() -> Quantities:
     """The arm's angles, and the poses that the chains of Tables 3 and 4 have."""
-    q = whole_degrees(2, (-60, 60), (-60, 60), (-60, 60))
+    q = whole_degrees(2, (90, 0, 0), (-60, 60), (-60, 60), (-60, 60))
     shoulder = np.array([0, SHOULDER, 0])
     links = np.outer(ARM_LENGTHS, (0, 0, -1))
     right, left = (chain.fk((Y, X, Y), links + np.outer((side, 0, 0), shoulder), q) for side in (1, -1))
@@ -121,13 +121,13 @@ def _product_of_table(side: int) -> Form:
     return lambda s: _steps((Y, X, Y), links, s["q"])
 
 
-ANGLES_123 = {f"theta{i}": DEG for i in (1, 2, 3)}
+ANGLES_123 = tuple((f"θ{i}", f"theta{i}", DEG) for i in (1, 2, 3))
 LETTERS = "Here d_z1 = 20, d_z2 = 70, d_z3 = 150, d_y1 = 90 mm"
-C, S = (tuple(f"{f}(theta{i})" for i in range(4)) for f in ("cos", "sin"))
+C, S = (tuple(f"{f}(θ{i})" for i in range(4)) for f in ("cos", "sin"))
 ARM_POSITION = (
-    f"-d_z1 {S[1]} - {S[1]} phi - d_z3 {C[1]} {S[3]}",
+    f"-d_z1 {S[1]} - {S[1]} φ - d_z3 {C[1]} {S[3]}",
     f"d_1 + d_z2 {S[2]} + d_z3 {C[3]} {S[2]}",
-    f"d_z3 {S[1]} {S[3]} - {C[1]} phi - d_z1 {C[1]}",
+    f"d_z3 {S[1]} {S[3]} - {C[1]} φ - d_z1 {C[1]}",
 )
 ARM_ENTRIES = (
     (f"{C[1]} {C[3]} - {C[2]} {S[1]}", f"{S[1]} {S[2]}", f"{C[1]} {S[3]} + {C[3]} {C[2]} {S[1]}", ARM_POSITION[0]),
@@ -143,19 +143,19 @@ ARMS = (
     ),
     Equation(
         "5", "the matrix multiplied out", _arm(1, "R11", "phi", "R24"), lambda s: s["T"],
-        "R11 = cos(theta1) cos(theta3) - cos(theta2) sin(theta1) sin(theta3); R24 with d_y1; "
-        "phi = d_z2 cos(theta2) + d_z3 cos(theta2) cos(theta3)", _arm(1),
+        "R11 = cos(θ1) cos(θ3) - cos(θ2) sin(θ1) sin(θ3); R24 with d_y1; "
+        "φ = d_z2 cos(θ2) + d_z3 cos(θ2) cos(θ3)", _arm(1),
         inputs=ANGLES_123, damaged=True,
-        cause="the scan has broken this block: it repeats lines, reads z as 2, and mixes phi with the line before. "
-        f"What it leaves of R11, R24 and phi is not true of Table 3; all the rest is. {LETTERS}", entries=ARM_ENTRIES,
+        cause="the scan has broken this block: it repeats lines, reads z as 2, and mixes φ with the line before. "
+        f"What it leaves of R11, R24 and φ is not true of Table 3; all the rest is. {LETTERS}", entries=ARM_ENTRIES,
     ),
     Equation(
         "6", "P = (R14, R24, R34)", lambda s: _position(_arm(1)(s)), lambda s: _position(s["T"]), unit="mm",
         cause="with (5) corrected; in Table 3 and here right is +y", entries=(("R14",), ("R24",), ("R34",)),
     ),
     Equation(
-        "7", "the right arm's matrix, with R24 = -d_x1 + d_z2 sin(theta2) + d_z3 cos(theta3) sin(theta2)",
-        _arm(-1, "R24"), lambda s: s["left T"], "R24 = -d_y1 + ...", _arm(-1), inputs=ANGLES_123, reading=True,
+        "7", "the right arm's matrix, with R24 = -d_x1 + d_z2 sin(θ2) + d_z3 cos(θ3) sin(θ2)",
+        _arm(-1, "R24"), lambda s: s["left T"], "R24 = -d_y1 + ...", _arm(-1), inputs=ANGLES_123, reading=_arm(-1),
         cause=f"d_x1 stands for what Table 4 calls d_y1, in its column y; its column x has 0. {LETTERS}",
         entries=(SAME_AS_RIGHT[0], (*SAME_AS_RIGHT[1][:3], "-d_x1 + ..."), SAME_AS_RIGHT[2], ("0", "0", "0", "1")),
     ),

@@ -142,12 +142,13 @@ def experiments() -> Iterator[Finding]:
                 [Cause("a step in cm", way / step / 10)],
                 remark="the three falls lie at 5, 4 and 3 times 0.892 m: what is counted here is not the step",
             )  # fmt: skip
-        for how, number, stood in (("without", "7", 0), ("with", "8", 1)):
-            cell = printed_table(NAME, number).rows[f"forward {step}"]["pedestal 1"].figure
-            yield JUDGE.figure(
-                f"{where}, {'stable' if stood else 'falls'} {how} optimization", str(stood), cell.value, "",
-                f"Table {number}, forward {step}, pedestal 1: {'stable' if cell.value else 'unstable'}",
-                remark="1 is stable, 0 unstable; forward 24 of the tables is read as this experiment", table=number,
+        for how, number, stood in (("without", "7", False), ("with", "8", True)):
+            stable = printed_table(NAME, number).rows[f"forward {step}"]["pedestal 1"].figure.value == 1
+            said, found = ("stable" if it else "unstable" for it in (stood, stable))
+            yield JUDGE.claim(
+                f"{where}, {how} optimization", said, found, stood == stable,
+                f"Table {number}, forward {step}, pedestal 1: {found}",
+                remark=f"forward {step} of the tables is read as this experiment", table=number,
             )  # fmt: skip
 
 

@@ -17,7 +17,7 @@ def step_samples(leg: Quantities) -> Quantities:
     whole = {name: rng.integers(-50, 51, count).astype(float) for name in ("PP_i", "PP_i+1", "Z", "Z other")}
     dS = np.where(whole["PP_i+1"] == whole["PP_i"], 1.0, whole["PP_i+1"] - whole["PP_i"])
     T = rng.choice([0.0, 30, 45, 60, 90], count)
-    T[np.abs(dS).argmax()] = 0.0  # the plainest place to see where a way begins
+    whole["PP_i"][0], dS[0], T[0] = 0.0, 10.0, 0.0  # the plainest place to see where a way begins
     return {
         **whole,
         "PP_i+1": whole["PP_i"] + dS,
@@ -48,7 +48,8 @@ def _on_circle(done: Callable[[Quantities], Array]) -> Form:
 def _difference(number: str, leg: str) -> Equation:
     return Equation(
         number, "dS = PP_(i+1) - PP_i", lambda s: s["PP_i+1"] - s["PP_i"], lambda s: s["dS"], unit=MM,
-        inputs={"PP_i": MM, "PP_i+1": MM}, cause=f"the {leg} leg's way from one point of reference to the next",
+        inputs=(("PP_i", "PP_i", MM), ("PP_i+1", "PP_i+1", MM)),
+        cause=f"the {leg} leg's way from one point of reference to the next",
     )  # fmt: skip
 
 
@@ -81,23 +82,25 @@ def _down(number: str) -> Equation:
 def _height(number: str, when: str) -> Equation:
     return Equation(
         number, "dS_H = Z - Z of the other foot", lambda s: s["Z"] - s["Z other"],
-        lambda s: -np.diff(np.stack([s["Z"], s["Z other"]]), axis=0)[0], unit=MM, inputs={"Z": MM, "Z other": MM},
+        lambda s: -np.diff(np.stack([s["Z"], s["Z other"]]), axis=0)[0], unit=MM,
+        inputs=(("Z", "Z", MM), ("Z other", "Z other", MM)),
         cause=f"how much higher one foot is than the other at the {when}",
     )  # fmt: skip
 
 
 def _strike(number: str, when: str, cause: str) -> Equation:
     return Equation(
-        number, f"theta_H = dS_H / C + theta4, at the {when}", lambda s: s["dS_H"] / s["C"] + s["theta4"],
-        lambda s: s["theta5"] + s["dS_H"] / s["C"], "theta_H = dS_H / C + theta5",
+        number, f"θ_H = dS_H / C + θ4, at the {when}", lambda s: s["dS_H"] / s["C"] + s["theta4"],
+        lambda s: s["theta5"] + s["dS_H"] / s["C"], "θ_H = dS_H / C + θ5",
         lambda s: s["dS_H"] / s["C"] + s["theta5"], unit="degrees",
-        inputs={"dS_H": MM, "C": "mm per degree", "theta4": "degrees", "theta5": "degrees"}, cause=cause,
+        inputs=(("dS_H", "dS_H", MM), ("C", "C", "mm per degree"), ("θ4", "theta4", "degrees"),
+                ("θ5", "theta5", "degrees")), cause=cause,
     )  # fmt: skip
 
 
-POINTS = {"T": "degrees", "dS": MM, "PP_i": MM}
+POINTS = (("T", "T", "degrees"), ("dS", "dS", MM), ("PP_i", "PP_i", MM))
 ANKLE = (
-    "theta_H is the ankle's angle, theta4 the knee's: with both feet level, dS_H = 0, the ankle must keep the theta5 "
+    "θ_H is the ankle's angle, θ4 the knee's: with both feet level, dS_H = 0, the ankle must keep the θ5 "
     "that holds the sole level"
 )
 STEPS = (
@@ -118,7 +121,7 @@ STEPS = (
     Equation(
         "48", "T_n = dS / n", lambda s: s["dS"] / s["n"],
         _first_of_equal_areas,
-        unit=MM, inputs={"dS": MM, "n": ""},
+        unit=MM, inputs=(("dS", "dS", MM), ("n", "n", "")),
         cause="the length of one of n areas; the text calls it their number. The law with a logarithm that follows "
         "in the paper is not in the text at hand",
     ),
