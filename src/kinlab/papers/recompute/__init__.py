@@ -42,6 +42,7 @@ __all__ = [
 
 MODULES = {
     "eros-humanoid": "eros_humanoid",
+    "receptionist-arm": "receptionist_arm",
     "xl430-hexapod": "xl430_hexapod",
 }
 PAPERS = tuple(MODULES)
