@@ -121,4 +121,4 @@ def _worked(equation: Equation, samples: Quantities, printed: Array, truth: Arra
 def _shown(value: float, unit: str) -> str:
     if unit == "deg":
         value = float(np.degrees(value))
-    return f"{value:.4g} {unit}".strip() if abs(value) >= 1e4 else f"{round(value, 4):g} {unit}".strip()
+    return f"{value:.4g} {unit}".strip() if abs(value) >= 1e4 else f"{round(value, 4) + 0.0:g} {unit}".strip()

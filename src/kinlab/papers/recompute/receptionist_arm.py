@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 
 from kinlab.papers.recompute import (
+    receptionist_appendix,
     receptionist_control,
     receptionist_kinematics,
     receptionist_links,
@@ -12,17 +13,19 @@ from kinlab.papers.recompute import (
 from kinlab.papers.recompute.equation import check
 from kinlab.papers.recompute.finding import Finding
 from kinlab.papers.recompute.paper import Paper
-
-NAME = "receptionist-arm"
+from kinlab.papers.recompute.receptionist_tables import NAME, tables
+from kinlab.papers.recompute.receptionist_text import text
 
 
 def recompute() -> Iterator[Finding]:
     """Every finding, chapter by chapter."""
+    yield from tables()
     yield from equations()
+    yield from text()
 
 
 def equations() -> Iterator[Finding]:
-    """All numbered equations."""
+    """All numbered equations, and those of the appendix."""
     control = receptionist_control.control_samples()
     for samples, listed in (
         (control, receptionist_control.EQUATIONS),
@@ -33,6 +36,8 @@ def equations() -> Iterator[Finding]:
     ):
         for equation in listed:
             yield from check(NAME, equation, samples)
+    for equation in receptionist_appendix.EQUATIONS:
+        yield from check(NAME, equation, receptionist_appendix.rate_samples(), "appendix")
 
 
 PAPER = Paper(

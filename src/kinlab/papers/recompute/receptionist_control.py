@@ -43,17 +43,22 @@ def control_samples() -> Quantities:
     }  # fmt: skip
 
 
-def _of(name: str) -> Form:
+def of(name: str) -> Form:
     return lambda s: s[name]
 
 
 def _position(s: Quantities) -> Array:
     """(Kv s + Kp) / (s² + Kv s + Kp)."""
-    return (s["Kv"] * s["s"] + s["Kp"]) / (s["s"] ** 2 + s["Kv"] * s["s"] + s["Kp"])
+    return np.asarray((s["Kv"] * s["s"] + s["Kp"]) / (s["s"] ** 2 + s["Kv"] * s["s"] + s["Kp"]))
 
 
-def _pd(s: Quantities, away: Array) -> Array:
-    return (s["Kp"] + s["Kv"] * s["s"]) * away
+def pd(s: Quantities, away: Array) -> Array:
+    return np.asarray((s["Kp"] + s["Kv"] * s["s"]) * away)
+
+
+def yielding(s: Quantities) -> Array:
+    """What the environment's mass, damper and spring need for their way."""
+    return np.asarray((s["Menv"] * s["s"] ** 2 + s["Denv"] * s["s"] + s["Kenv"]) * s["env"])
 
 
 def _omega_f(s: Quantities) -> Array:
@@ -61,7 +66,7 @@ def _omega_f(s: Quantities) -> Array:
 
 
 def _zeta_f(s: Quantities) -> Array:
-    return s["Denv"] / (2 * np.sqrt(s["Menv"] * s["Kenv"]))
+    return np.asarray(s["Denv"] / (2 * np.sqrt(s["Menv"] * s["Kenv"])))
 
 
 def _poles(b: Array, c: Array) -> tuple[Array, Array]:
@@ -104,8 +109,21 @@ def _rises(s: Quantities) -> Array:
 
 NM, A = "N m", "A"
 SPRING = (("Kp", "Kp", ""), ("Kv", "Kv", ""), ("s", "s", ""), ("x_cmd", "cmd", ""))
-SOFT = (("K_f", "Kf", ""), ("K_env", "Kenv", ""), ("D_env", "Denv", ""), ("M_env", "Menv", ""), ("s", "s", ""))
-MOTOR = (("K_tn", "Ktn", ""), ("ΔK_t", "dKt", ""), ("J_n", "Jn", ""), ("ΔJ", "dJ", ""), ("I_a", "I", A), ("τ_l", "load", NM))
+SOFT = (
+    ("K_f", "Kf", ""),
+    ("K_env", "Kenv", ""),
+    ("D_env", "Denv", ""),
+    ("M_env", "Menv", ""),
+    ("s", "s", ""),
+)
+MOTOR = (
+    ("K_tn", "Ktn", ""),
+    ("ΔK_t", "dKt", ""),
+    ("J_n", "Jn", ""),
+    ("ΔJ", "dJ", ""),
+    ("I_a", "I", A),
+    ("τ_l", "load", NM),
+)
 LETTER = "the scan mixes letters here"
 
 EQUATIONS = (
@@ -116,10 +134,10 @@ EQUATIONS = (
     ),
     Equation(
         "2.2", "x'' = (K (x_cmd - x) + D (x'_cmd - x')) / M = Kp (x_cmd - x) + Kv (x'_cmd - x')",
-        lambda s: _pd(s, s["cmd"] - s["virtual"]), lambda s: s["s"] ** 2 * s["virtual"], inputs=SPRING,
+        lambda s: pd(s, s["cmd"] - s["virtual"]), lambda s: s["s"] ** 2 * s["virtual"], inputs=SPRING,
         cause="Kp = K / M, Kv = D / M",
     ),
-    Equation("2.3", "x = (Kv s + Kp) / (s² + Kv s + Kp) x_cmd", lambda s: _position(s) * s["cmd"], _of("virtual"),
+    Equation("2.3", "x = (Kv s + Kp) / (s² + Kv s + Kp) x_cmd", lambda s: _position(s) * s["cmd"], of("virtual"),
              inputs=SPRING),
     Equation("2.4", "x_real = x_virtual - x_env", lambda s: s["virtual"] - s["env"],
              lambda s: _position(s) * s["cmd"] - s["env"], inputs=SPRING, cause="a definition, used in (2.8)"),
@@ -130,34 +148,35 @@ EQUATIONS = (
     ),
     Equation(
         "2.6", "x_real = Kp (x_cmd - x_real - x_env) + Kv (x'_cmd - x'_real - x'_env) - x''_env",
-        lambda s: _pd(s, s["cmd"] - s["real"] - s["env"]) - s["s"] ** 2 * s["env"], _of("real"),
-        "x''_real = ...", lambda s: (_pd(s, s["cmd"] - s["real"] - s["env"]) - s["s"] ** 2 * s["env"]) / s["s"] ** 2,
+        lambda s: pd(s, s["cmd"] - s["real"] - s["env"]) - s["s"] ** 2 * s["env"], of("real"),
+        "x''_real = ...", lambda s: (pd(s, s["cmd"] - s["real"] - s["env"]) - s["s"] ** 2 * s["env"]) / s["s"] ** 2,
         inputs=SPRING, damaged=True,
-        cause="two dots are missing over x_real: the right side is an acceleration, as in (2.5); dots are lost in scans",
+        cause="two dots are missing over x_real, for the right side is an acceleration; scans lose dots",
     ),
     Equation(
         "2.7", "x_env = K_f / (M_env s² + D_env s + K_env) F_ext",
-        lambda s: s["Kf"] / (s["Menv"] * s["s"] ** 2 + s["Denv"] * s["s"] + s["Kenv"]) * s["F"], _of("env"),
+        lambda s: s["Kf"] / (s["Menv"] * s["s"] ** 2 + s["Denv"] * s["s"] + s["Kenv"]) * s["F"], of("env"),
         inputs=(*SOFT, ("F_ext", "F", "")), cause="a mass, a damper and a spring that give way",
     ),
     Equation(
         "2.8", "x_real = (2.3) - 1 / (M_env s² + D_env s + K_env) K_f F_ext",
         lambda s: _position(s) * s["cmd"]
         - 1 / (s["Menv"] * s["s"] ** 2 + s["Denv"] * s["s"] + s["Kenv"]) * s["Kf"] * s["F"],
-        _of("real"), inputs=SOFT,
+        of("real"), inputs=SOFT,
     ),
     Equation(
         "2.9", "... - (K_env / M_env) / (s² + D_env / M_env s + K_env / M_env) (K_f / K_env) F_ext",
         lambda s: _position(s) * s["cmd"]
         - s["Kenv"] / s["Menv"] / (s["s"] ** 2 + s["Denv"] / s["Menv"] * s["s"] + s["Kenv"] / s["Menv"])
         * s["Kf"] / s["Kenv"] * s["F"],
-        _of("real"), inputs=SOFT,
+        of("real"), inputs=SOFT,
     ),
     Equation(
-        "2.10", "x_real = (2 ζ_p ω_p s + ω_p²) / (s² + 2 ζ_p ω_p s + ω_p²) x_cmd - ω_f² / (s² + 2 ζ_f ω_f s + ω_f²) C_f F_ext",
+        "2.10",
+        "x_real = (2 ζ_p ω_p s + ω_p²) / (s² + 2 ζ_p ω_p s + ω_p²) x_cmd - ω_f² / (s² + 2 ζ_f ω_f s + ω_f²) C_f F_ext",
         lambda s: _position(s) * s["cmd"] - _omega_f(s) ** 2
         / (s["s"] ** 2 + 2 * _zeta_f(s) * _omega_f(s) * s["s"] + _omega_f(s) ** 2) * s["Kf"] / s["Kenv"] * s["F"],
-        _of("real"), inputs=SOFT, cause="the scan has δ for ζ",
+        of("real"), inputs=SOFT, cause="the scan has δ for ζ",
     ),
     Equation("2.11", "ω_p = √Kp", lambda s: np.sqrt(s["Kp"]), lambda s: _poles(s["Kv"], s["Kp"])[0],
              unit="rad/s", inputs=(("Kp", "Kp", ""),)),
@@ -176,15 +195,16 @@ EQUATIONS = (
         cause="ζ_p is that of (2.12), which is another number; meant is ζ_f of (2.10), and as that it is right",
     ),
     Equation(
-        "2.15", "K_f = K_f / K_env", lambda s: s["Kf"] / s["Kenv"], _of("Kf"), "C_f = K_f / K_env", _of("Kf"),
+        "2.15", "K_f = K_f / K_env", lambda s: s["Kf"] / s["Kenv"], of("Kf"), "C_f = K_f / K_env", of("Kf"),
         inputs=SOFT[:2], reading=lambda s: s["Kf"] / s["Kenv"],
-        reading_truth=lambda s: s["env"] * (s["Menv"] * s["s"] ** 2 + s["Denv"] * s["s"] + s["Kenv"]) / s["F"] / s["Kenv"],
+        reading_truth=lambda s: yielding(s) / s["F"] / s["Kenv"],
         damaged=True, cause=f"{LETTER}: the C_f of (2.10) is meant",
     ),
     Equation(
         "2.16", "T_p = π / (ω_n √(1 - ζ²))",
-        lambda s: _rounded(np.pi / (s["omega"] * np.sqrt(1 - s["zeta"] ** 2)), 5), lambda s: _rounded(_first_peak(s)[0], 5),
-        unit="s", inputs=(("ω_n", "omega", "rad/s"), ("ζ", "zeta", "")), cause="against the peak of the step response itself",
+        lambda s: _rounded(np.pi / (s["omega"] * np.sqrt(1 - s["zeta"] ** 2)), 5),
+        lambda s: _rounded(_first_peak(s)[0], 5), unit="s", inputs=(("ω_n", "omega", "rad/s"), ("ζ", "zeta", "")),
+        cause="against the peak of the step response itself",
     ),
     Equation(
         "2.17", "%OS = e^(ζ π / √(1 - ζ²)) × 100 %",

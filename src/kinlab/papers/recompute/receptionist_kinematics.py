@@ -68,7 +68,7 @@ def _inverse(s: Quantities, *misprints: str) -> Array:
 
 def _determinant(s: Quantities) -> Array:
     (a, b, c), (d, e, f), (g, h, i) = np.moveaxis(s["J"], 0, -1)
-    return a * (e * i - h * f) - b * (d * i - g * f) + c * (d * h - g * e)
+    return np.asarray(a * (e * i - h * f) - b * (d * i - g * f) + c * (d * h - g * e))
 
 
 def _back(s: Quantities) -> Array:
@@ -182,7 +182,8 @@ EQUATIONS = (
         lambda s: np.swapaxes(s["J"][:, :2], 1, 2) @ np.linalg.inv(s["J"][:, :2] @ np.swapaxes(s["J"][:, :2], 1, 2)),
         lambda s: np.linalg.pinv(s["J"][:, :2]), cause="here of the two rows for x and y",
     ),
-    Equation("3.20", "J^-1 = adj(J) / det(J)", _inverse, lambda s: np.linalg.inv(s["J"]), cause="with J_inv32 corrected"),
+    Equation("3.20", "J^-1 = adj(J) / det(J)", _inverse, lambda s: np.linalg.inv(s["J"]),
+             cause="with J_inv32 corrected"),
     Equation("3.20, determinant", "det = J11 (J22 J33 - J32 J23) - J12 (J21 J33 - J31 J23) + J13 (J21 J32 - J31 J22)",
              _determinant, lambda s: np.linalg.det(s["J"]), unit="cm³"),
     Equation(
@@ -200,5 +201,6 @@ EQUATIONS = (
         lambda s: np.linalg.norm(_times(np.eye(3) - s["J"] @ s["rough"], s["dX"]), axis=-1),
         lambda s: 0.02 * np.linalg.norm(s["dX"], axis=-1), unit=CM, cause="for an inverse that is 2 % too large",
     ),
-    Equation("3.22", "θ = θ + J^-1 dX", _arrived, _of("q"), cause="seven rounds, from up to 3 degrees beside the target"),
+    Equation("3.22", "θ = θ + J^-1 dX", _arrived, _of("q"),
+             cause="seven rounds, from up to 3 degrees beside the target"),
 )  # fmt: skip

@@ -20,7 +20,9 @@ RODS = Mechanism(
     links=np.outer((0.0, L1, L2), (1.0, 0, 0)),
     mass=np.array([0.0, M1, M2]),
     centres=np.outer((0.0, L1, L2), (0.5, 0, 0)),
-    inertia=np.array([np.diag([0.0, 1, 1]) * m * length**2 / 12 for m, length in ((0, 0), (M1, L1), (M2, L2))]),
+    inertia=np.array(
+        [np.diag([0.0, 1, 1]) * m * length**2 / 12 for m, length in ((0, 0), (M1, L1), (M2, L2))]
+    ),
     slides=(False,) * 3,
     gravity=np.array([GRAVITY, 0, 0]),
 )
@@ -45,16 +47,17 @@ def link_samples() -> Quantities:
 
 def _forces(q: Array, qd: Array, qdd: Array) -> dict[str, Array]:
     """Places, accelerations and forces (N, 3), and the servos' torques (N,), in SI units."""
-    A1, (B, aB), (C2, a2) = (M1, *(_moving(end, q, qd, qdd) for end in (0.0, L2 / 2)))
+    (B, aB), (C2, a2) = (_moving(end, q, qd, qdd) for end in (0.0, L2 / 2))
     C1, a1 = B / 2, aB / 2
-    G1, G2 = (m * np.array([GRAVITY, 0, 0]) for m in (A1, M2))
+    G1, G2 = (m * np.array([GRAVITY, 0, 0]) for m in (M1, M2))
     F12 = M2 * a2 - G2
     torque = inverse_dynamics(RODS, q, qd, qdd)
     return {
         "B": B, "C1": C1, "C2": C2, "a1": a1, "a2": a2, "F12": F12, "F21": -F12,
         "F01": M1 * a1 + M2 * a2 - G1 - G2, "G1": np.broadcast_to(G1, B.shape), "G2": np.broadcast_to(G2, B.shape),
         "x_C1": C1[:, X], "y_C1": C1[:, Y], "z_C1": C1[:, Z], "x_B": B[:, X], "y_B": B[:, Y], "z_B": B[:, Z],
-        "x_C2": C2[:, X], "y_C2": C2[:, Y], "z_C2": C2[:, Z], "F21x": -F12[:, X], "F21y": -F12[:, Y], "F21z": -F12[:, Z],
+        "x_C2": C2[:, X], "y_C2": C2[:, Y], "z_C2": C2[:, Z],
+        "F21x": -F12[:, X], "F21y": -F12[:, Y], "F21z": -F12[:, Z],
         "pitch": torque[:, 0], "roll": torque[:, 1], "elbow": torque[:, 2],
         "theta1''": qdd[:, 0], "theta0''": qdd[:, 1], "theta2''": qdd[:, 2],
     }  # fmt: skip
@@ -74,7 +77,7 @@ def _of(name: str) -> Form:
 
 def _about_a(s: Quantities, kind: str = "") -> Array:
     """r_AC1 × G1 + r_AB × F21."""
-    return np.cross(s[f"{kind}C1"], s[f"{kind}G1"]) + np.cross(s[f"{kind}B"], s[f"{kind}F21"])
+    return np.asarray(np.cross(s[f"{kind}C1"], s[f"{kind}G1"]) + np.cross(s[f"{kind}B"], s[f"{kind}F21"]))
 
 
 def _about_c1(s: Quantities, kind: str = "") -> Array:
@@ -108,16 +111,16 @@ def _determinants(axis: int, kind: str) -> Form:
 def _sum_3_28(s: Quantities, sign: float = 1.0) -> Array:
     """m1 g z_C1 + F21z x_B - F21x z_B, of `sign` F21."""
     reaction = s["over F21z"] * s["over x_B"] - s["over F21x"] * s["over z_B"]
-    return M1 * GRAVITY * s["over z_C1"] + sign * reaction
+    return np.asarray(M1 * GRAVITY * s["over z_C1"] + sign * reaction)
 
 
 def _sum_3_31(s: Quantities, gravity: float) -> Array:
     """`gravity` m1 g y_C1 + F21y x_B - F21x y_B."""
-    return gravity * M1 * GRAVITY * s["y_C1"] + s["F21y"] * s["x_B"] - s["F21x"] * s["y_B"]
+    return np.asarray(gravity * M1 * GRAVITY * s["y_C1"] + s["F21y"] * s["x_B"] - s["F21x"] * s["y_B"])
 
 
 def _sum_3_36(s: Quantities, axis: str) -> Array:
-    return s["F21y"] * (s["x_B"] - s["x_C2"]) - s["F21x"] * (s[f"{axis}_B"] - s[f"{axis}_C2"])
+    return np.asarray(s["F21y"] * (s["x_B"] - s["x_C2"]) - s["F21x"] * (s[f"{axis}_B"] - s[f"{axis}_C2"]))
 
 
 I1C, I1A, I2C = M1 * L1**2 / 12, M1 * L1**2 / 3, M2 * L2**2 / 12
@@ -170,8 +173,8 @@ EQUATIONS = (
         "3.31", "m1 g y_C1 + F21y x_B - F21x y_B", lambda s: _sum_3_31(s, 1), _determinants(Z, ""),
         "-m1 g y_C1 + F21y x_B - F21x y_B", lambda s: _sum_3_31(s, -1), unit=NM,
         inputs=(*REACTION, ("y_C1", "y_C1", "m"), *AT_B),
-        cause=f"the determinant of (x_C1, y_C1, z_C1) and (m1 g, 0, 0) is -m1 g y_C1. With (3.34)'s F21 the sum is the "
-        f"torque that holds the links, and thereby the opposite of what (3.28) is. {HERE}",
+        cause="the determinant of (x_C1, y_C1, z_C1) and (m1 g, 0, 0) is -m1 g y_C1. With (3.34)'s F21 the sum is the "
+        f"opposite of what (3.28) is: the torque that holds link 1, but for what servo 3 leaves on it. {HERE}",
     ),
     Equation(
         "3.32", "m1 a_C1 = F01 + F21 + G1, for link 2", lambda s: (s["F01"] + s["F21"] + s["G1"])[:, X],
@@ -188,21 +191,23 @@ EQUATIONS = (
         "3.34", "m2 x''_C2 = F21x + m2 g", lambda s: (s["F21"] + s["G2"])[:, X], lambda s: M2 * s["a2"][:, X],
         "m2 x''_C2 = F12x + m2 g", lambda s: (s["F12"] + s["G2"])[:, X], unit="N", inputs=(("F21x", "F21x", "N"),),
         reading=lambda s: (-s["F21"] + s["G2"])[:, X],
-        cause="the sentence above it says that F12 = -F21 acts on link 2. Right with F21 for the force on link 2; (3.23) "
-        "to (3.33) need the other one",
+        cause="by the sentence above it F12 = -F21 acts on link 2. Right with F21 for the force on link 2; (3.23) to "
+        "(3.33) need the other one",
     ),
     Equation(
         "3.35", "m2 L2² / 3 θ2''", lambda s: M2 * L2**2 / 3 * s["free theta2''"],
         lambda s: _about_c2(s, "F12", "free ")[:, Z], "m2 L2² / 12 (θ1'' + θ2'')",
         lambda s: I2C * (s["free theta1''"] + s["free theta2''"]), unit=NM,
         inputs=(("θ1''", "free theta1''", "rad/s²"), ("θ2''", "free theta2''", "rad/s²")),
-        cause="the moment is taken about C2, where a rod has m L² / 12; / 3 is for its end. And link 2 turns with θ1 as "
-        "well. Against (r_B - r_C2) × F of links that hang free",
+        cause="the moment is taken about C2, where a rod has m L² / 12; / 3 is for its end. And link 2 turns with θ1 "
+        "as well. Against (r_B - r_C2) × F of links that hang free",
     ),
     Equation(
-        "3.36", "F21y (x_B - x_C2) - F21x (z_B - z_C2)", lambda s: _sum_3_36(s, "z"), lambda s: _about_c2(s, "F21")[:, Z],
+        "3.36", "F21y (x_B - x_C2) - F21x (z_B - z_C2)", lambda s: _sum_3_36(s, "z"),
+        lambda s: _about_c2(s, "F21")[:, Z],
         "F21y (x_B - x_C2) - F21x (y_B - y_C2)", lambda s: _sum_3_36(s, "y"), unit=NM,
-        inputs=(*REACTION, *AT_B, ("x_C2", "x_C2", "m"), ("y_C2", "y_C2", "m"), ("z_B", "z_B", "m"), ("z_C2", "z_C2", "m")),
-        cause="z for y: a moment about z has no z in it. In the plane of the experiments the print loses all of gravity",
+        inputs=(*REACTION, *AT_B, ("x_C2", "x_C2", "m"), ("y_C2", "y_C2", "m"),
+                ("z_B", "z_B", "m"), ("z_C2", "z_C2", "m")),
+        cause="z for y: a moment about z has no z in it. In the experiments' plane the print loses all of gravity",
     ),
 )  # fmt: skip

@@ -23,9 +23,12 @@ Motion = Callable[[float], Array]
 
 def rate(f: Motion) -> Motion:
     """The derivative in time."""
-    return lambda t: sum(
-        w * (f(t + k * STEP) - f(t - k * STEP)) for k, w in zip(OFFSETS, WEIGHTS, strict=True)
-    ) / np.float64(STEP)
+
+    def differences(t: float) -> Array:
+        ahead = [w * (f(t + k * STEP) - f(t - k * STEP)) for k, w in zip(OFFSETS, WEIGHTS, strict=True)]
+        return np.asarray(sum(ahead) / STEP)
+
+    return differences
 
 
 def newton_samples() -> Quantities:
@@ -48,7 +51,7 @@ def _case(k: int) -> dict[str, Array]:
         return rotation(axis, speed * t + c[0] * t * t / 2)
 
     def origin(t: float) -> Array:
-        return c[1:4] * np.sin(t) + c[4:7] * t * t
+        return np.asarray(c[1:4] * np.sin(t) + c[4:7] * t * t)
 
     def turned(t: float) -> Array:
         return frame(t) @ rotation(Z, (0.0 if k == 0 else 0.7) + 1.5 * t + c[7] * t * t)
@@ -57,10 +60,10 @@ def _case(k: int) -> dict[str, Array]:
         return frame(t) @ rotation(Z, 0.7)
 
     def slid(t: float) -> float:
-        return 0.5 + 0.8 * t + c[6] * t * t
+        return float(0.5 + 0.8 * t + c[6] * t * t)
 
     def local(t: float) -> Array:
-        return arm + np.array([0.4, -0.3, 0.2]) * np.sin(2 * t)
+        return np.asarray(arm + np.array([0.4, -0.3, 0.2]) * np.sin(2 * t))
 
     def spin(R: Motion) -> Motion:
         return lambda t: _axial(R(t).T @ rate(R)(t))
@@ -71,7 +74,8 @@ def _case(k: int) -> dict[str, Array]:
     R0, R1, joint = frame(0.0), turned(0.0), turned(0.0).T @ frame(0.0)
     w0, w1, dw0, dw1 = spin(frame)(0.0), spin(turned)(0.0), rate(spin(frame))(0.0), rate(spin(turned))(0.0)
     return {
-        "m": np.array(mass), "M": M, "v": v0, "dv": dv, "arm": arm, "joint": joint, "w": w0, "dw": dw0, "w1": w1, "dw1": dw1,
+        "m": np.array(mass), "M": M, "v": v0, "dv": dv, "arm": arm, "joint": joint,
+        "w": w0, "dw": dw0, "w1": w1, "dw1": dw1,
         "w_x": w0[0], "w_y": w0[1], "w_z": w0[2], "p_x": arm[0], "p_y": arm[1], "p_z": arm[2],
         "qd": np.array(1.5), "qdd": np.array(2 * c[7]),
         "fixed": fixed(0.0).T @ R0, "fixed w": spin(fixed)(0.0), "fixed dw": rate(spin(fixed))(0.0),
@@ -102,7 +106,7 @@ def _twice(w: Array, p: Array) -> Array:
 
 def _euler(s: Quantities, last: Array) -> Array:
     """M ω' + ω × last."""
-    return _turn(s["M"], s["dw"]) + np.cross(s["w"], last)
+    return np.asarray(_turn(s["M"], s["dw"]) + np.cross(s["w"], last))
 
 
 def _z(form: Form) -> Form:
@@ -121,13 +125,16 @@ def _revolute(s: Quantities, sign: float) -> Array:
 
 def _prismatic(s: Quantities) -> Array:
     along, faster, bend = (s[name][:, None] * X for name in ("slid", "slid rate", "slid bend"))
-    return s["dv_origin"] + bend + 2 * np.cross(s["w"], faster) + np.cross(s["dw"], along) + _twice(s["w"], along)
+    turning = 2 * np.cross(s["w"], faster) + np.cross(s["dw"], along) + _twice(s["w"], along)
+    return np.asarray(s["dv_origin"] + bend + turning)
 
 
 def _point(s: Quantities) -> Array:
     R, w, dw = s["rotation"], _turn(s["rotation"], s["w"]), _turn(s["rotation"], s["dw"])
     p, v, a = (_turn(R, s[name]) for name in ("local", "local rate", "local bend"))
-    return a + np.cross(w, v) + np.cross(dw, p) + np.cross(w, v) + np.cross(w, np.cross(w, p)) + s["d_origin"]
+    return np.asarray(
+        a + np.cross(w, v) + np.cross(dw, p) + np.cross(w, v) + np.cross(w, np.cross(w, p)) + s["d_origin"]
+    )
 
 
 def _centre(s: Quantities, of_origin: Array) -> Array:
@@ -135,12 +142,12 @@ def _centre(s: Quantities, of_origin: Array) -> Array:
 
 
 def _next_spin(s: Quantities) -> Array:
-    return _turn(s["joint"], s["w"]) + s["qd"][:, None] * Z
+    return np.asarray(_turn(s["joint"], s["w"]) + s["qd"][:, None] * Z)
 
 
 def _next_turning(s: Quantities) -> Array:
     turned, own = _turn(s["joint"], s["w"]), s["qd"][:, None] * Z
-    return _turn(s["joint"], s["dw"]) + np.cross(turned, own) + s["qdd"][:, None] * Z
+    return np.asarray(_turn(s["joint"], s["dw"]) + np.cross(turned, own) + s["qdd"][:, None] * Z)
 
 
 SPIN = tuple((f"ω_{a}", f"w_{a}", "rad/s") for a in "xyz")
@@ -157,7 +164,8 @@ EQUATIONS = (
         inputs=SPIN, cause=f"v for ω; (2.50) has it right. {BODY}",
     ),
     Equation(
-        "2.40", "(F, N) = (m v' + ω × m v, M ω' + ω')", _z(lambda s: _turn(s["M"], s["dw"]) + s["dw"]), _z(_of("moment")),
+        "2.40", "(F, N) = (m v' + ω × m v, M ω' + ω')", _z(lambda s: _turn(s["M"], s["dw"]) + s["dw"]),
+        _z(_of("moment")),
         "N = M ω' + ω × M ω", _z(lambda s: _euler(s, _turn(s["M"], s["w"]))), unit="N m", inputs=SPIN,
         cause=f"of ω × M ω only ω' is left, an acceleration among moments; (2.50) has it right. {BODY}",
     ),
@@ -186,6 +194,7 @@ EQUATIONS = (
     ),
     Equation("2.49", "F = m v'_cm", lambda s: s["m"][:, None] * s["centre"],
              lambda s: s["m"][:, None] * _centre(s, s["next"]), unit="N"),
-    Equation("2.50", "N = M ω' + ω × M ω", lambda s: _turn(s["M"], s["dw1"]) + np.cross(s["w1"], _turn(s["M"], s["w1"])),
+    Equation("2.50", "N = M ω' + ω × M ω",
+             lambda s: _turn(s["M"], s["dw1"]) + np.cross(s["w1"], _turn(s["M"], s["w1"])),
              _of("moment1"), unit="N m"),
 )  # fmt: skip
