@@ -42,6 +42,7 @@ __all__ = [
 
 MODULES = {
     "xl430-hexapod": "xl430_hexapod",
+    "udiebot-quadruped": "udiebot_quadruped",
 }
 PAPERS = tuple(MODULES)
 
