@@ -87,6 +87,17 @@ class Finding:
         """The print as it stands."""
         return self.printed.text if isinstance(self.printed, Figure) else self.printed
 
+    @property
+    def recomputed_text(self) -> str:
+        """What it should be, with a digit more than the print where the two differ; empty where there is nothing."""
+        if self.recomputed is None or isinstance(self.recomputed, str):
+            return self.recomputed or ""
+        decimals = self.printed.decimals if isinstance(self.printed, Figure) else 4
+        if self.verdict == "reproduced":
+            return f"{self.recomputed:.{decimals}f}"
+        text = f"{self.recomputed:.{decimals + 2}f}"
+        return text.rstrip("0").rstrip(".") if "." in text else text
+
     def to_json(self) -> dict[str, Any]:
         """As in the contract: `printed` a number where it is one, and `printed_text` as it stands."""
         return {
@@ -164,9 +175,17 @@ class Judge:
         arithmetic: str,
         remark: str = "",
         table: str = "",
+        reading: tuple[str, bool] | None = None,
     ) -> Finding:
-        """What the text says in words of its figures, against what they show."""
+        """What the text says in words of its figures, against what they show.
+
+        Args:
+            holds: whether `found` bears `claim` out.
+            reading: another sense of the words, and whether the claim holds in it.
+        """
         verdict: Verdict = "reproduced" if holds else "contradicted"
+        if not holds and reading and reading[1]:
+            verdict, remark = "explained", "; ".join(filter(None, (reading[0], remark)))
         return Finding(self.paper, where, "claim", claim, found, "", verdict, remark, arithmetic, table=table)
 
     def measured(self, cell: Cell, cause: str) -> Finding:
