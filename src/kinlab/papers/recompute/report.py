@@ -37,15 +37,6 @@ class Report:
         """The findings for the cells of a table, by row and column."""
         return {(f.row, f.column): f for f in self.findings if f.kind == "cell" and f.table == table.number}
 
-    def table(self, number: str) -> PrintedTable:
-        """A table of the paper.
-
-        Raises:
-            UsageError: it has none of this number.
-        """
-        tables = {table.number: table for table in self.paper.tables}
-        return tables[resolve(number, tables, f"table of {self.paper.name}")]
-
     def select(self, table: str | None = None, only: Verdict | None = None) -> list[Finding]:
         """The findings that concern a table, or have a verdict, or both."""
         return [
