@@ -2,7 +2,6 @@
 
 from collections.abc import Iterable, Iterator
 from html import escape
-from itertools import groupby
 from pathlib import Path
 
 import kinlab
@@ -39,7 +38,8 @@ def page(reports: list[Report]) -> str:
 
 def _legend() -> str:
     rows = (
-        f'<dt class="{verdict}"><span class="mark">{MARKS[verdict]}</span> {verdict}</dt><dd>{escape(MEANINGS[verdict])}</dd>'
+        f'<dt class="{verdict}"><span class="mark">{MARKS[verdict]}</span> {verdict}</dt>'
+        f"<dd>{escape(MEANINGS[verdict])}</dd>"
         for verdict in VERDICTS
     )
     return (
@@ -124,40 +124,36 @@ def _grid(table: PrintedTable, cells: dict[tuple[str, str], Finding], recomputed
     )
     rows = []
     for row in table.rows:
-        line = "".join(_cell(cells.get((row, name)), recomputed) for name in table.units)
+        line = "".join(_cell(cells.get((row, name)), unit, recomputed) for name, unit in table.units.items())
         rows.append(f"<tr><td>{escape(row)}</td>{line}</tr>")
-    return f'<div class="scroll"><table><thead><tr><th></th>{heads}</tr></thead><tbody>{"".join(rows)}</tbody></table></div>'
+    head = f"<thead><tr><th></th>{heads}</tr></thead>"
+    return f'<div class="scroll"><table>{head}<tbody>{"".join(rows)}</tbody></table></div>'
 
 
-def _cell(finding: Finding | None, recomputed: bool) -> str:
+def _cell(finding: Finding | None, unit: str, recomputed: bool) -> str:
+    """A figure; where its unit is not its column's, with it; where a cause explains it, with what that gives."""
     if finding is None:
         return "<td></td>"
+    own_unit = "" if finding.unit == unit else f" {finding.unit}"
     if not recomputed:
-        return f"<td>{escape(finding.printed_text)}</td>"
+        return f"<td>{escape(finding.printed_text + own_unit)}</td>"
     text = finding.printed_text if finding.verdict == "measured" else finding.recomputed_text or "none"
     tip = "; ".join(filter(None, (finding.verdict, finding.arithmetic, finding.cause)))
-    return (
-        f'<td class="{finding.verdict}" title="{escape(tip)}">{escape(text)}'
-        f'<span class="mark">{MARKS[finding.verdict]}</span></td>'
-    )
+    mark = f'<span class="mark">{MARKS[finding.verdict]}</span>'
+    because = f"<small>{escape(finding.explained_text)}{mark}</small>" if finding.explained_text else mark
+    return f'<td class="{finding.verdict}" title="{escape(tip)}">{escape(text + own_unit)}{because}</td>'
 
 
 def _grouped(findings: list[Finding]) -> str:
     """Cells that differ for one reason stand together: the first with its arithmetic, the rest behind it."""
-
-    def reason(finding: Finding) -> tuple[int, str]:
-        return VERDICTS.index(finding.verdict), finding.cause
-
+    groups: dict[tuple[str, str], list[Finding]] = {}
+    for finding in sorted(findings, key=lambda f: f.verdict):  # contradicted before explained
+        alone = "" if finding.cause else finding.where
+        groups.setdefault((finding.verdict, finding.cause or alone), []).append(finding)
     items = []
-    # Contradictions first: VERDICTS has them after the explained.
-    for (_, cause), group in groupby(sorted(findings, key=reason, reverse=True), reason):
-        alike = sorted(group, key=findings.index)
-        if len(alike) == 1 or not cause:
-            items += [_item(finding) for finding in alike]
-            continue
-        first, *rest = alike
+    for first, *rest in groups.values():
         more = f"<details><summary>{len(rest)} more for the same reason</summary>{_list(rest)}</details>"
-        items.append(_item(first, more))
+        items.append(_item(first, more if rest else ""))
     return f'<ul class="findings">{"".join(items)}</ul>'
 
 
@@ -174,11 +170,11 @@ def _item(finding: Finding, more: str = "") -> str:
     said = f"<span{formula}>{escape(finding.printed_text + unit)}</span>"
     if verdict in ("explained", "contradicted"):
         own = escape(finding.recomputed_text + unit) if finding.recomputed_text else "no such figure"
-        said = f"printed {said}, recomputed <b{formula}>{own}</b>"
+        word = "corrected" if finding.kind == "equation" else "recomputed"
+        said = f"printed {said}, {word} <b{formula}>{own}</b>"
     lines = [f"{head}: {said}</p>"]
     if finding.arithmetic:
         lines.append(f'<p class="how">{escape(finding.arithmetic)}</p>')
     if finding.cause:
-        scan = " (the scan's doing)" if finding.damaged else ""
-        lines.append(f'<p class="faint">{escape(finding.cause)}{scan}</p>')
+        lines.append(f'<p class="faint">{escape(finding.reason)}</p>')
     return f'<li class="{verdict}">{"".join(lines)}{more}</li>'

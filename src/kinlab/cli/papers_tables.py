@@ -1,6 +1,6 @@
 """What `kinlab papers` prints for people."""
 
-from itertools import groupby
+from itertools import accumulate, groupby
 
 from rich.console import RenderableType
 from rich.padding import Padding
@@ -59,7 +59,7 @@ def show_findings(report: Report, number: str | None, only: Verdict | None) -> N
         return
     show(Text(report.paper.name, style="bold").append(f"   {report.paper.title}", style="not bold"), "")
     if number is not None:
-        show(_grid(report, report.paper.table(number)), "")
+        show(*_grid(report, report.paper.table(number)))
     for verdict, group in groupby(findings, lambda finding: finding.verdict):
         if verdict == "reproduced":
             show(_followed(list(group)), "")
@@ -103,9 +103,10 @@ def _differs(finding: Finding) -> list[RenderableType]:
     head = _mark(finding.verdict).append(f" {finding.where}", style="not bold default")
     lines = [
         ("printed", _with_unit(finding.printed_text, finding)),
-        ("recomputed", own),
+        ("corrected" if finding.kind == "equation" else "recomputed", own),
+        ("explained", finding.explained_text and _with_unit(finding.explained_text, finding)),
         ("how", finding.arithmetic),
-        ("why", f"{finding.cause} (the scan's doing)" if finding.damaged else finding.cause),
+        ("why", finding.reason),
     ]
     return [head, Padding(sentences(*(line for line in lines if line[1])), (0, 0, 0, 2), expand=False)]
 
@@ -115,21 +116,36 @@ def _with_unit(text: str, finding: Finding) -> str:
     return f"{text} {finding.unit}" if numeric and finding.unit else text
 
 
-def _grid(report: Report, printed: PrintedTable) -> Table:
-    """A table as printed, and beside each figure that does not follow what it should be."""
-    cells, arrow = report.cells(printed), "→" if _utf() else "->"
-    found = table(f"Table {printed.number}: {printed.title}", "", *printed.units.items())
-    for row, line in printed.rows.items():
-        texts = []
-        for name in printed.units:
-            text = Text()
-            if name in line:
-                finding = cells[row, name]
-                text.append(finding.printed_text)
-                if finding.verdict in ("explained", "contradicted"):
-                    own = finding.recomputed_text or "none"
-                    text.append(f" {arrow} {own}", style=STYLES[finding.verdict])
-                text.append(" ").append(_mark(finding.verdict))
-            texts.append(text)
-        found.add_row(row, *texts)
-    return found
+def _grid(report: Report, printed: PrintedTable) -> list[RenderableType]:
+    """A table as printed, beside each figure that does not follow what it should be; in parts, where it is wide."""
+    cells = report.cells(printed)
+    columns = {
+        name: [_figure(cells.get((row, name)), unit) for row in printed.rows]
+        for name, unit in printed.units.items()
+    }
+    parts: list[RenderableType] = []
+    title = f"Table {printed.number}: {printed.title}"
+    names = list(columns)
+    while names:
+        # What fits beside the names of the rows, and one column in any case.
+        room = console().width - max(map(len, printed.rows))
+        widths = [3 + max(len(name), *(len(text) for text in columns[name])) for name in names]
+        count = max(1, sum(total <= room for total in accumulate(widths)))
+        part = table(title, "", *((name, printed.units[name]) for name in names[:count]))
+        for k, row in enumerate(printed.rows):
+            part.add_row(row, *(columns[name][k] for name in names[:count]))
+        parts += [part, ""]
+        names, title = names[count:], ""
+    return parts
+
+
+def _figure(finding: Finding | None, unit: str) -> Text:
+    """A cell: the print, its unit where that is not its column's, what it should be, and the mark."""
+    text = Text()
+    if finding is None:
+        return text
+    text.append(finding.printed_text + ("" if finding.unit == unit else f" {finding.unit}"))
+    if finding.verdict in ("explained", "contradicted"):
+        arrow = "→" if _utf() else "->"
+        text.append(f" {arrow} {finding.recomputed_text or 'none'}", style=STYLES[finding.verdict])
+    return text.append(" ").append(_mark(finding.verdict))

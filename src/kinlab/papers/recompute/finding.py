@@ -89,13 +89,30 @@ class Finding:
 
     @property
     def recomputed_text(self) -> str:
-        """What it should be, with a digit more than the print where the two differ; empty where there is nothing."""
+        """What it should be, with more digits than the print where the two differ; empty where there is nothing."""
         if self.recomputed is None or isinstance(self.recomputed, str):
             return self.recomputed or ""
-        decimals = self.printed.decimals if isinstance(self.printed, Figure) else 4
-        if self.verdict == "reproduced":
-            return f"{self.recomputed:.{decimals}f}"
-        text = f"{self.recomputed:.{decimals + 2}f}"
+        if self.verdict == "reproduced" and isinstance(self.printed, Figure):
+            return f"{self.recomputed:.{self.printed.decimals}f}"
+        return self._shown(self.recomputed)
+
+    @property
+    def explained_text(self) -> str:
+        """What the cause gives, where that is another number than `recomputed`."""
+        text = "" if self.explained_by is None else self._shown(self.explained_by.value)
+        return "" if text == self.recomputed_text else text
+
+    @property
+    def reason(self) -> str:
+        """The cause, and the scan where it is to blame."""
+        return f"{self.cause} (most likely the scan's doing)" if self.damaged else self.cause
+
+    def _shown(self, value: float) -> str:
+        """Two digits more than the print has, and three in any case."""
+        decimals = self.printed.decimals + 2 if isinstance(self.printed, Figure) else 4
+        if value:
+            decimals = max(decimals, 2 - math.floor(math.log10(abs(value))))
+        text = f"{value + 0.0:.{decimals}f}"
         return text.rstrip("0").rstrip(".") if "." in text else text
 
     def to_json(self) -> dict[str, Any]:

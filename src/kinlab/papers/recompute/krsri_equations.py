@@ -203,6 +203,7 @@ BODY = (
         lambda s: _move(s, frozenset(m.equation for m in krsri_hexapod.BODY)), _moved,
         "T = Rot (P - Trans), of P from the body's centre, with Rz(-ψ), then less the offset",
         lambda s: _move(s, NONE), unit="mm",
+        inputs=(("ψ", "ψ", "deg"), ("y_offset", "y_offset", "mm"), ("y", "y", "mm"), ("x = φ = θ = t", "x", "")),
         cause="every foot turns about its own hip: for ψ = 10 deg, a hip 60 mm from the centre and a foot 100 mm "
         f"beyond, the foot has to move by 2 x 160 sin 5 = {2 * 160 * np.sin(np.radians(5)):.1f} mm, and moves by "
         f"2 x 100 sin 5 = {2 * 100 * np.sin(np.radians(5)):.1f} mm; with z downwards Rz has the wrong sense, and the "

@@ -251,12 +251,11 @@ def _angles(cells: dict[str, Cell], lengths: tuple[float, ...]) -> Iterator[Find
     for k, (name, with_coxa, without) in enumerate(
         zip(("theta1", "theta2", "theta3"), line(coxa), line(0), strict=True)
     ):
-        scaled = without.replace(" - 180", "") if k == 2 else without
-        parts = "acos and atan" if k == 1 else "it" if k == 0 else "acos"
+        scaled, rest = without.removesuffix(" - 180"), " - 180" if k == 2 else ""
         cause = Cause(
             "pi = 22/7, cut after three decimals" if k == 0 else "pi = 22/7, no coxa, cut after three decimals",
             float(tables[k]), cut=True, decimals=DECIMALS,
-            arithmetic=f"{scaled}, {parts} times 3.14159265 / (22/7){', - 180' if k == 2 else ''}: {tables[k]:.4f}",
+            arithmetic=f"({scaled}) x 3.14159265 / (22/7){rest} = {tables[k]:.4f}",
         )  # fmt: skip
         yield JUDGE.cell(
             cells[name], float(own[k]), f"{with_coxa} = {own[k]:.4f}", [cause], decimals=DECIMALS
