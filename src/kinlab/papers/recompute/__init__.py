@@ -19,12 +19,12 @@ have no finding yet; the tests want none.
 """
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from importlib import import_module
 
 from kinlab.names import resolve
 from kinlab.papers.recompute.finding import VERDICTS, Cause, Finding, Judge, Verdict
 from kinlab.papers.recompute.paper import Coverage, Paper
+from kinlab.papers.recompute.report import Report, to_json, verdict_of
 
 __all__ = [
     "PAPERS",
@@ -38,33 +38,18 @@ __all__ = [
     "Verdict",
     "paper_of",
     "recompute",
+    "to_json",
+    "verdict_of",
 ]
 
 MODULES = {
     "eros-humanoid": "eros_humanoid",
     "receptionist-arm": "receptionist_arm",
     "xl430-hexapod": "xl430_hexapod",
+    "krsri-hexapod": "krsri_hexapod",
+    "udiebot-quadruped": "udiebot_quadruped",
 }
 PAPERS = tuple(MODULES)
-
-
-@dataclass(frozen=True)
-class Report:
-    """What recomputing a paper found.
-
-    Attributes:
-        paper: which.
-        findings: all of them, in the order of the print.
-        coverage: whether anything is left out.
-    """
-
-    paper: Paper
-    findings: tuple[Finding, ...]
-    coverage: Coverage
-
-    def count(self, verdict: Verdict) -> int:
-        """How many findings have a verdict."""
-        return sum(finding.verdict == verdict for finding in self.findings)
 
 
 def paper_of(name: str) -> Paper:

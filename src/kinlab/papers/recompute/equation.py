@@ -108,14 +108,20 @@ def _inputs(equation: Equation, samples: Quantities, k: int) -> str:
 
 def _worked(equation: Equation, samples: Quantities, printed: Array, truth: Array, k: int) -> str:
     """One line: the inputs of the first sample where the print is off, what it gives there, and the truth."""
-    if truth.ndim > 1:
+    begin = _inputs(equation, samples, k)
+    if truth.ndim == 2:
+        return f"{begin}printed {_place(printed[k], equation.unit)}, true {_place(truth[k], equation.unit)}"
+    if truth.ndim > 2:
         entries = _same(printed, truth).reshape(len(truth), -1).all(axis=0)
         return f"{entries.sum()} of {entries.size} entries agree at {len(truth)} places"
-    begin = _inputs(equation, samples, k)
     true = _shown(float(truth[k]), equation.unit)
     if not np.isfinite(printed[k]):
         return f"{begin}the printed form has no value, true {true}"
     return f"{begin}printed {_shown(float(printed[k]), equation.unit)}, true {true}"
+
+
+def _place(values: Array, unit: str) -> str:
+    return f"({', '.join(_shown(float(v), '') for v in values)}) {unit}".strip()
 
 
 def _shown(value: float, unit: str) -> str:

@@ -87,6 +87,34 @@ class Finding:
         """The print as it stands."""
         return self.printed.text if isinstance(self.printed, Figure) else self.printed
 
+    @property
+    def recomputed_text(self) -> str:
+        """What it should be, with more digits than the print where the two differ; empty where there is nothing."""
+        if self.recomputed is None or isinstance(self.recomputed, str):
+            return self.recomputed or ""
+        if self.verdict == "reproduced" and isinstance(self.printed, Figure):
+            return f"{self.recomputed:.{self.printed.decimals}f}"
+        return self._shown(self.recomputed)
+
+    @property
+    def explained_text(self) -> str:
+        """What the cause gives, where that is another number than `recomputed`."""
+        text = "" if self.explained_by is None else self._shown(self.explained_by.value)
+        return "" if text == self.recomputed_text else text
+
+    @property
+    def reason(self) -> str:
+        """The cause, and the scan where it is to blame."""
+        return f"{self.cause} (most likely the scan's doing)" if self.damaged else self.cause
+
+    def _shown(self, value: float) -> str:
+        """Two digits more than the print has, and three in any case."""
+        decimals = self.printed.decimals + 2 if isinstance(self.printed, Figure) else 4
+        if value:
+            decimals = max(decimals, 2 - math.floor(math.log10(abs(value))))
+        text = f"{value + 0.0:.{decimals}f}"
+        return text.rstrip("0").rstrip(".") if "." in text else text
+
     def to_json(self) -> dict[str, Any]:
         """As in the contract: `printed` a number where it is one, and `printed_text` as it stands."""
         return {
@@ -164,9 +192,17 @@ class Judge:
         arithmetic: str,
         remark: str = "",
         table: str = "",
+        reading: tuple[str, bool] | None = None,
     ) -> Finding:
-        """What the text says in words of its figures, against what they show."""
+        """What the text says in words of its figures, against what they show.
+
+        Args:
+            holds: whether `found` bears `claim` out.
+            reading: another sense of the words, and whether the claim holds in it.
+        """
         verdict: Verdict = "reproduced" if holds else "contradicted"
+        if not holds and reading and reading[1]:
+            verdict, remark = "explained", "; ".join(filter(None, (reading[0], remark)))
         return Finding(self.paper, where, "claim", claim, found, "", verdict, remark, arithmetic, table=table)
 
     def measured(self, cell: Cell, cause: str) -> Finding:

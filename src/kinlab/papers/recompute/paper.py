@@ -3,6 +3,7 @@
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
+from kinlab.names import resolve
 from kinlab.papers.recompute.finding import Finding
 from kinlab.papers.tables import PrintedTable, printed_tables
 
@@ -51,6 +52,15 @@ class Paper:
     def tables(self) -> list[PrintedTable]:
         """As printed."""
         return printed_tables(self.name)
+
+    def table(self, number: str) -> PrintedTable:
+        """The table of a number.
+
+        Raises:
+            UsageError: the paper has none of this number.
+        """
+        tables = {table.number: table for table in self.tables}
+        return tables[resolve(number, tables, f"table of {self.name}")]
 
     def coverage(self, findings: Iterable[Finding]) -> Coverage:
         """Which cells and equations `findings` leave out."""

@@ -38,7 +38,7 @@ def recompute() -> Iterator[Finding]:
 
 # Equations
 
-MOVED = "most likely the scan's doing: 2af, the denominator of (4), stands in (5), where z belongs"
+MOVED = "2af, the denominator of (4), stands in (5), where z belongs"
 
 EQUATIONS = (
     Equation(
