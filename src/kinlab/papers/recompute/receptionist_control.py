@@ -36,7 +36,7 @@ def control_samples() -> Quantities:
     return {
         "s": s, "M": M, "K": K, "D": D, "Kp": Kp, "Kv": Kv, "cmd": cmd, "virtual": virtual, "real": virtual - env,
         "env": env, "F": F, "Kf": Kf, "Kenv": Kenv, "Denv": Denv, "Menv": Menv,
-        "zeta": np.linspace(0.1, 0.9, COUNT), "omega": drawn(2),
+        "zeta": np.array([0.5, *np.linspace(0.1, 0.9, COUNT - 1)]), "omega": drawn(2),
         "Ktn": Ktn, "dKt": dKt, "Kt": Ktn + dKt, "Jn": Jn, "dJ": dJ, "J": Jn + dJ, "I": current,
         "internal": inner, "external": outer, "friction": friction, "load": load,
         "acceleration": ((Ktn + dKt) * current - load) / (Jn + dJ),
