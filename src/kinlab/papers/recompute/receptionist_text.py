@@ -251,21 +251,18 @@ def experiments() -> Iterator[Finding]:
 
 def references() -> Iterator[Finding]:
     """Equations that the text names by number."""
-    for where, text, right, less, why in (
-        ("section 2.1.1, the load torque", "2.22", 28, 6, "τ_l is (2.28)"),
-        ("section 2.1.1, the motor's torque", "2.23", 29, 6, "τ_m is (2.29)"),
-        ("section 2.1.1, the motor's dynamics", "4.21", 27, 6, "J θ'' is (2.27)"),
-        ("section 2.1.1, the parameters J and K_t", "2.24", 30, 6, "both are in (2.30)"),
-        ("section 2.1.1, the block diagram", "2.29", 35, 6, "J_n θ'' is (2.35)"),
-        ("section 3.3, the pseudo-inverse", "4.11", 19, 8, "J^+ is (3.19)"),
-        ("section 3.3, the Jacobian, step 2", "4.9", 17, 8, "J_ij is (3.17)"),
-        ("section 3.3, the inverse of the Jacobian", "4.12", 20, 8, "J^-1 is (3.20)"),
-        ("section 4.2.1, the disturbance", "3.3", 22, 0, "τ_disturbance is (2.22); there is no (3.3)"),
+    for where, text, chapter, number, less, why in (
+        ("section 2.1.1, the load torque", "2.22", 2, 28, 6, "τ_l is (2.28)"),
+        ("section 2.1.1, the motor's torque", "2.23", 2, 29, 6, "τ_m is (2.29)"),
+        ("section 2.1.1, the motor's dynamics", "4.21", 2, 27, 6, "J θ'' is (2.27)"),
+        ("section 2.1.1, the parameters J and K_t", "2.24", 2, 30, 6, "both are in (2.30)"),
+        ("section 2.1.1, the block diagram", "2.29", 2, 35, 6, "J_n θ'' is (2.35)"),
+        ("section 3.3, the pseudo-inverse", "4.11", 3, 19, 8, "J^+ is (3.19)"),
+        ("section 3.3, the Jacobian, step 2", "4.9", 3, 17, 8, "J_ij is (3.17)"),
+        ("section 3.3, the inverse of the Jacobian", "4.12", 3, 20, 8, "J^-1 is (3.20)"),
+        ("section 4.2.1, the disturbance", "3.3", 2, 22, 0, "τ_disturbance is (2.22), and there is no (3.3)"),
     ):
-        chapter = 3 if "3.3," in where else 2
-        earlier = float(f"{text[0]}.{right - less}")
-        yield JUDGE.figure(
-            f"{where}, its number", text, float(f"{chapter}.{right}"), "", why,
-            [Cause(f"its number before {less} equations were put in", earlier, arithmetic=f"{right} - {less} = {right - less}")]
-            if less else [],
-        )  # fmt: skip
+        own, earlier = f"{chapter}.{number}", f"{text[0]}.{number - less}"
+        reading = f"its number before {less} equations were put in", text == earlier
+        line = f"{why}; {number} - {less} = {number - less}" if reading[1] else why
+        yield JUDGE.claim(f"{where}: its number", f"({text})", f"({own})", text == own, line, reading=reading)
