@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kinlab.kinematics.transforms import Array
-from kinlab.papers.recompute.finding import Finding, Verdict
+from kinlab.papers.recompute.finding import Finding, Verdict, plain
 
 Quantities = Mapping[str, Array]
 Form = Callable[[Quantities], ArrayLike]
@@ -77,9 +77,9 @@ def check(paper: str, equation: Equation, samples: Quantities, where: str = "equ
             k = int(np.argmin(same[:, i, j]))
             fits = bool(same[:, i, j].all())
             yield Finding(
-                paper, f"{name} entry {i + 1},{j + 1}", "entry", text, text if fits else float(truth[k, i, j]), "",
+                paper, f"{name} entry {i + 1},{j + 1}", "entry", text, text if fits else plain(truth[k, i, j]), "",
                 "reproduced" if fits else verdict, "" if fits else equation.cause,
-                f"{_inputs(equation, samples, k)}printed {printed[k, i, j]:.4f}, true {truth[k, i, j]:.4f}",
+                f"{_inputs(equation, samples, k)}printed {_shown(printed[k, i, j], '')}, true {_shown(truth[k, i, j], '')}",
                 damaged=equation.damaged and not fits,
             )  # fmt: skip
 

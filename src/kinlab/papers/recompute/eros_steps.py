@@ -17,7 +17,8 @@ def step_samples(leg: Quantities) -> Quantities:
     whole = {name: rng.integers(-50, 51, count).astype(float) for name in ("PP_i", "PP_i+1", "Z", "Z other")}
     dS = np.where(whole["PP_i+1"] == whole["PP_i"], 1.0, whole["PP_i+1"] - whole["PP_i"])
     T = rng.choice([0.0, 30, 45, 60, 90], count)
-    whole["PP_i"][0], dS[0], T[0] = 0.0, 10.0, 0.0  # the plainest place to see where a way begins
+    # The plainest places come first: where a way begins, both feet level.
+    whole["PP_i"][0], dS[0], T[0], whole["Z other"][0] = 0.0, 10.0, 0.0, whole["Z"][0]
     return {
         **whole,
         "PP_i+1": whole["PP_i"] + dS,

@@ -252,11 +252,11 @@ class Judge:
             names = ", ".join(cause.name for cause in tried)
             said = "; ".join(filter(None, (remark, f"tried in vain: {names}")))
         return Finding(
-            self.paper, where, kind, figure, _plain(own), unit, verdict, said, arithmetic, found, figure.damaged,
+            self.paper, where, kind, figure, plain(own), unit, verdict, said, arithmetic, found, figure.damaged,
             *place,
         )  # fmt: skip
 
 
-def _plain(value: float) -> float | None:
+def plain(value: float) -> float | None:
     """A number without the dust that doubles gather, which no print would show; None where there is none."""
     return round(float(value), 12) + 0.0 if math.isfinite(value) else None

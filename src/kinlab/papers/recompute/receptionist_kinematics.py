@@ -22,7 +22,7 @@ def arm_samples() -> Quantities:
     rng = np.random.default_rng(31)
     spans = ((-60, 60), (-40, 40), (30, 120))
     whole = np.stack([rng.integers(low, high + 1, COUNT) for low, high in spans], axis=-1)
-    whole[0] = 30, 30, 90
+    whole[0] = 30, 60, 30
     q = np.radians(whole.astype(float))
     T = chain.fk(AXES, LINKS, q)
     J = chain.jacobian(AXES, LINKS, q)[:, :3, PAPERS_ORDER]
@@ -98,7 +98,8 @@ def _factors(s: Quantities, along: float) -> list[Array]:
 
 
 def _factor(number: int, along: float = 1.0) -> Form:
-    return lambda s: np.broadcast_to(_factors(s, along)[number], (COUNT, 4, 4))
+    """What one of the five makes of the point (1, 2, 3) cm, (N, 3)."""
+    return lambda s: np.broadcast_to((_factors(s, along)[number] @ [1.0, 2, 3, 1])[..., :3], (COUNT, 3))
 
 
 def _in_turn(s: Quantities) -> Array:
@@ -124,13 +125,14 @@ EQUATIONS = (
         cause="turns about z, about y, along x by L1, about z, along x by L2",
     ),
     Equation(
-        "3.9", "T = Rz(θ1) Ry(θ0) Tx(L1) Rz(θ2) Tx(L2), as five matrices", lambda s: _product(s, "3.9"), _of("T"),
-        "1 in the first place of both translations", _product, cause=ZERO,
+        "3.9", "T = Rz(θ1) Ry(θ0) Tx(L1) Rz(θ2) Tx(L2), as five matrices", lambda s: _product(s, "3.9")[:, :3, 3],
+        _of("x"), "1 in the first place of both translations", lambda s: _product(s)[:, :3, 3], unit=CM, inputs=ANGLES,
+        cause=f"{ZERO}. Here the hand's place",
     ),
     *(
         Equation(
             f"3.9, matrix {i + 1}", text, _factor(i, along), _factor(i), corrected, _factor(i),
-            cause=ZERO if corrected else "",
+            cause=f"{ZERO if corrected else 'as it should be'}. Here of the point (1, 2, 3) cm",
         )
         for i, (text, along, corrected) in enumerate((
             ("Rz(θ1)", 1.0, ""), ("Ry(θ0)", 1.0, ""), ("Tx(L1), beginning with 0", 0.0, "beginning with 1"),
@@ -163,9 +165,9 @@ EQUATIONS = (
     Equation("3.16", "dX = J(θ) dθ", lambda s: _times(_jacobian(s), s["step"]), _of("dX"), unit=CM,
              cause="with the printed J"),
     Equation(
-        "3.17", "J_ij = ∂f_i / ∂f_j", lambda s: np.broadcast_to(np.eye(3), (COUNT, 3, 3)), _of("J"),
-        "J_ij = ∂f_i / ∂θ_j", _jacobian,
-        cause="∂f_i / ∂f_j is 1 or 0; the entries that follow are derivatives by θ1, θ2, θ0, in this order",
+        "3.17", "J_ij = ∂f_i / ∂f_j", lambda s: np.ones(COUNT), lambda s: s["J"][:, 0, 0],
+        "J_ij = ∂f_i / ∂θ_j", lambda s: _jacobian(s)[:, 0, 0], inputs=ANGLES,
+        cause="∂f_i / ∂f_j is 1 or 0; here J_11. The entries that follow are derivatives by θ1, θ2, θ0, in this order",
     ),
     Equation(
         "3.17, entries", "J", _jacobian, _of("J"), unit=CM, inputs=ANGLES, cause=HERE,

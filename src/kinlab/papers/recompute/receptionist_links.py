@@ -53,7 +53,7 @@ def _forces(q: Array, qd: Array, qdd: Array) -> dict[str, Array]:
     F12 = M2 * a2 - G2
     torque = inverse_dynamics(RODS, q, qd, qdd)
     return {
-        "B": B, "C1": C1, "C2": C2, "a1": a1, "a2": a2, "F12": F12, "F21": -F12,
+        "B": B, "C1": C1, "C2": C2, "a1": a1, "a2": a2, "F12": F12, "F21": -F12, "a1x": a1[:, X], "a2x": a2[:, X],
         "F01": M1 * a1 + M2 * a2 - G1 - G2, "G1": np.broadcast_to(G1, B.shape), "G2": np.broadcast_to(G2, B.shape),
         "x_C1": C1[:, X], "y_C1": C1[:, Y], "z_C1": C1[:, Z], "x_B": B[:, X], "y_B": B[:, Y], "z_B": B[:, Z],
         "x_C2": C2[:, X], "y_C2": C2[:, Y], "z_C2": C2[:, Z],
@@ -179,7 +179,8 @@ EQUATIONS = (
     Equation(
         "3.32", "m1 a_C1 = F01 + F21 + G1, for link 2", lambda s: (s["F01"] + s["F21"] + s["G1"])[:, X],
         lambda s: M2 * s["a2"][:, X], "m2 a_C2 = F12 + G2", lambda s: (s["F12"] + s["G2"])[:, X], unit="N",
-        cause="(3.23), of link 1, again. Along x",
+        inputs=(("x''_C1", "a1x", "m/s²"), ("x''_C2", "a2x", "m/s²")),
+        cause=f"(3.23), of link 1, again: m1 = {M1}, m2 = {M2} kg. Along x",
     ),
     Equation(
         "3.33", "I_C1 α1 = r_C1 × F01 + r_C1B × F21, for link 2", lambda s: _about_c1(s)[:, Z],
