@@ -47,6 +47,14 @@ def cut(value: float, decimals: int) -> Cause:
     )
 
 
+def mean_line(values: Iterable[float]) -> str:
+    """A mean as a reader takes it: "(3.2 + 5.1 - 4) / 3 = 4.3 / 3 = 1.4333"."""
+    terms = [float(value) for value in values]
+    written = " ".join(f"{'-' if v < 0 else '+'} {abs(v):g}" for v in terms).removeprefix("+ ")
+    total = round(sum(terms), 9)
+    return f"({written}) / {len(terms)} = {total:g} / {len(terms)} = {round(total / len(terms), 4):g}"
+
+
 @dataclass(frozen=True)
 class Finding:
     """One printed thing, recomputed.
@@ -220,10 +228,13 @@ class Judge:
         """
         for name, cell in table.rows["average"].items():
             column = table.column(name)
-            total, mean = column.sum(), float(column.mean())
-            line = f"{total:.6g} / {len(column)} = {mean:.4f}"
+            mean = float(column.mean())
             yield self.cell(
-                cell, mean, line, [cut(mean, cell.figure.decimals)], (remarks or {}).get(name, "")
+                cell,
+                mean,
+                mean_line(column),
+                [cut(mean, cell.figure.decimals)],
+                (remarks or {}).get(name, ""),
             )
 
     def _judge(

@@ -7,7 +7,7 @@ import numpy as np
 from kinlab.kinematics.transforms import Array, homogeneous, rotation
 from kinlab.papers import udiebot_quadruped as udiebot
 from kinlab.papers.recompute.equation import Equation, Quantities, check
-from kinlab.papers.recompute.finding import Cause, Finding, Judge, cut
+from kinlab.papers.recompute.finding import Cause, Finding, Judge, cut, mean_line
 from kinlab.papers.recompute.leg import leg_quantities
 from kinlab.papers.recompute.paper import Paper, numbers
 from kinlab.papers.tables import Cell, PrintedTable, printed_table
@@ -370,7 +370,7 @@ def conclusion() -> Iterator[Finding]:
         errors, targets = table.column(f"error {axis}"), table.column(axis)
         mean = float(errors.mean())
         own, causes = mean, []
-        line = f"{errors.sum():.3f} / {len(errors)} = {mean:.4f} cm"
+        line = f"{mean_line(errors)} cm"
         if unit == "mm":
             own, line = 10 * mean, f"{line} = {10 * mean:.3f} mm"
             causes.append(Cause("cm, the unit of the table, not mm", mean))
