@@ -72,7 +72,7 @@ def _paper(report: Report) -> Iterator[str]:
     yield f'<h2 id="{escape(name)}">{escape(name)}</h2><p class="faint">{escape(report.paper.title)}</p>'
     wrong = [f for f in report.findings if f.verdict == "contradicted"]
     if wrong:
-        yield f"<h3>What does not follow ({len(wrong)})</h3>{_list(wrong)}"
+        yield f"<h3>What does not follow ({len(wrong)})</h3>{_grouped(wrong)}"
     text = [f for f in report.findings if f.kind in ("figure", "claim") and f.verdict != "contradicted"]
     if text:
         yield f"<details><summary>{len(text)} more figures and claims of the text</summary>{_list(text)}</details>"

@@ -73,7 +73,7 @@ def test_the_scan_and_not_the_authors_moved_a_denominator():
         ("abstract (English), largest error", "0.11", 1.72, "contradicted"),
         ("conclusion, mean error on x of Table 6", "0.029", 0.289, "explained"),  # cm, not mm
         ("section 3.1.2, number of the femur's angle", "3", 2, "contradicted"),
-        ("Table 3 total degrees of freedom", "12", 12, "reproduced"),
+        ("Table 3 total DOF", "12", 12, "reproduced"),
     ],
 )
 def test_udiebot(where, printed, recomputed, verdict):

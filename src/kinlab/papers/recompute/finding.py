@@ -260,7 +260,7 @@ class Judge:
             verdict, said = "explained", "; ".join(filter(None, (found.name, remark)))
             arithmetic = "; ".join(filter(None, (arithmetic, found.arithmetic)))
         elif tried:
-            names = ", ".join(cause.name for cause in tried)
+            names = ", ".join(f"{cause.name} ({cause.value:.6g})" for cause in tried)
             said = "; ".join(filter(None, (remark, f"tried in vain: {names}")))
         return Finding(
             self.paper, where, kind, figure, _plain(own), unit, verdict, said, arithmetic, found, figure.damaged,
