@@ -72,6 +72,7 @@ class Finding:
         arithmetic: the computation in one line that a reader can redo by hand.
         explained_by: the cause that gives the printed figure, where there is one.
         damaged: the scan did it; not counted against the paper.
+        decimals: of the column, where the figure lost zeros at its end.
         table, row, column: of a cell; a figure that the text quotes from a table names the table alone.
     """
 
@@ -86,6 +87,7 @@ class Finding:
     arithmetic: str
     explained_by: Cause | None = None
     damaged: bool = False
+    decimals: int | None = None
     table: str = ""
     row: str = ""
     column: str = ""
@@ -117,7 +119,9 @@ class Finding:
 
     def _shown(self, value: float) -> str:
         """Two digits more than the print has, and three in any case."""
-        decimals = self.printed.decimals + 2 if isinstance(self.printed, Figure) else 4
+        decimals = 4
+        if isinstance(self.printed, Figure):
+            decimals = 2 + (self.printed.decimals if self.decimals is None else self.decimals)
         if value:
             decimals = max(decimals, 2 - math.floor(math.log10(abs(value))))
         text = f"{value + 0.0:.{decimals}f}"
@@ -261,10 +265,10 @@ class Judge:
             arithmetic = "; ".join(filter(None, (arithmetic, found.arithmetic)))
         elif tried:
             names = ", ".join(f"{cause.name} ({cause.value:.6g})" for cause in tried)
-            said = "; ".join(filter(None, (remark, f"tried in vain: {names}")))
+            arithmetic = f"{arithmetic}; tried in vain: {names}"
         return Finding(
             self.paper, where, kind, figure, _plain(own), unit, verdict, said, arithmetic, found, figure.damaged,
-            *place,
+            decimals, *place,
         )  # fmt: skip
 
 
