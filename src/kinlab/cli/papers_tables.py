@@ -33,7 +33,7 @@ def show_summary(reports: list[Report]) -> None:
         share = f"{100 * coverage['recomputed'] / coverage['cells']:.0f} %"
         found.add_row(report.paper.name, *counts, str(report.damaged or ""), share)
     show(found, "")
-    legend = [(str(_mark(verdict)), f"{verdict}: {MEANINGS[verdict]}") for verdict in VERDICTS]
+    legend = [(_mark(verdict), f"{verdict}: {MEANINGS[verdict]}") for verdict in VERDICTS]
     whole = (
         sum(report.coverage.cells for report in reports),
         sum(report.coverage.equations for report in reports),
