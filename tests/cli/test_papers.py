@@ -3,6 +3,7 @@
 import re
 from dataclasses import replace
 from html.parser import HTMLParser
+from pathlib import Path
 
 import pytest
 
@@ -35,6 +36,15 @@ def test_without_a_name_it_counts(kinlab):
     assert answer.code == 0
     for name in PAPERS:
         assert re.search(rf"^{name} .* 100 %$", answer.out, re.MULTILINE)
+
+
+def test_the_docs_show_what_is_counted(kinlab):
+    """Where a total changes, docs/papers.md changes with it."""
+    told = (Path(__file__).parents[2] / "docs" / "papers.md").read_text(encoding="utf-8")
+    rows = [line for line in kinlab("papers").out.splitlines() if line.endswith(" %")]
+    assert len(rows) == len(PAPERS)
+    told_rows = [line.split() for line in told.splitlines()]
+    assert all(row.split() in told_rows for row in rows)
 
 
 def test_a_paper_is_shown_with_its_reasoning(kinlab):

@@ -72,7 +72,7 @@ def _paper(report: Report) -> Iterator[str]:
     yield f'<h2 id="{escape(name)}">{escape(name)}</h2><p class="faint">{escape(report.paper.title)}</p>'
     wrong = [f for f in report.findings if f.verdict == "contradicted"]
     if wrong:
-        yield f"<h3>What does not follow ({len(wrong)})</h3>{_list(wrong)}"
+        yield f"<h3>What does not follow ({len(wrong)})</h3>{_grouped(wrong)}"
     text = [f for f in report.findings if f.kind in ("figure", "claim") and f.verdict != "contradicted"]
     if text:
         yield f"<details><summary>{len(text)} more figures and claims of the text</summary>{_list(text)}</details>"
@@ -92,8 +92,10 @@ def _equations(report: Report) -> Iterator[str]:
     if not shown:
         return
     wrong = sum(f.verdict == "contradicted" for f in shown)
-    said = f"<p>{len(right)} hold as printed, {len(odd)} are explained below"
-    yield f"<h3>Equations</h3>{said}{f', {wrong} stand above' if wrong else ''}.</p>{_list(odd)}"
+    told = [f"{len(right)} hold as printed"]
+    told += [f"{len(odd)} are explained below"] if odd else []
+    told += [f"{wrong} stand above"] if wrong else []
+    yield f"<h3>Equations</h3><p>{', '.join(told)}.</p>{_list(odd) if odd else ''}"
     if right:
         yield f"<details><summary>{len(right)} that hold as printed</summary>{_list(right)}</details>"
 

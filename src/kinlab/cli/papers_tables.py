@@ -1,5 +1,6 @@
 """What `kinlab papers` prints for people."""
 
+from collections.abc import Iterator
 from itertools import accumulate, groupby
 
 from rich.console import RenderableType
@@ -32,7 +33,7 @@ def show_summary(reports: list[Report]) -> None:
         share = f"{100 * coverage['recomputed'] / coverage['cells']:.0f} %"
         found.add_row(report.paper.name, *counts, str(report.damaged or ""), share)
     show(found, "")
-    legend = [(str(_mark(verdict)), f"{verdict}: {MEANINGS[verdict]}") for verdict in VERDICTS]
+    legend = [(_mark(verdict), f"{verdict}: {MEANINGS[verdict]}") for verdict in VERDICTS]
     whole = (
         sum(report.coverage.cells for report in reports),
         sum(report.coverage.equations for report in reports),
@@ -60,7 +61,7 @@ def show_findings(report: Report, number: str | None, only: Verdict | None) -> N
     show(Text(report.paper.name, style="bold").append(f"   {report.paper.title}", style="not bold"), "")
     if number is not None:
         show(*_grid(report, report.paper.table(number)))
-    for verdict, group in groupby(findings, lambda finding: finding.verdict):
+    for verdict, group in groupby(_in_blocks(findings), lambda finding: finding.verdict):
         if verdict == "reproduced":
             show(_followed(list(group)), "")
         elif verdict == "measured":
@@ -74,6 +75,14 @@ def show_findings(report: Report, number: str | None, only: Verdict | None) -> N
                 show(*_differs(finding), "")
     if not findings:
         show(f"no finding of it is {only}" if only else "no figure stands in it")
+
+
+def _in_blocks(findings: list[Finding]) -> Iterator[Finding]:
+    """In the order of the print, but within a table first what is measured, then what follows, then the rest."""
+    order = ("measured", "reproduced", "explained", "contradicted")
+    for number, block in groupby(findings, lambda f: f.table if f.kind == "cell" else None):
+        alike = list(block)
+        yield from alike if number is None else sorted(alike, key=lambda f: order.index(f.verdict))
 
 
 def _utf() -> bool:
@@ -104,7 +113,7 @@ def _differs(finding: Finding) -> list[RenderableType]:
     lines = [
         ("printed", _with_unit(finding.printed_text, finding)),
         ("corrected" if finding.kind == "equation" else "recomputed", own),
-        ("explained", finding.explained_text and _with_unit(finding.explained_text, finding)),
+        ("explained", finding.explained_text),
         ("how", finding.arithmetic),
         ("why", finding.reason),
     ]

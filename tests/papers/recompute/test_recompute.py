@@ -96,7 +96,8 @@ def test_the_first_cause_that_fits_is_the_reason():
     finding = judge.cell(CELL, 0.9, "9 / 10", causes, "by the way")
     assert (finding.verdict, finding.cause, finding.recomputed) == ("explained", "yes; by the way", 0.9)
     refused = judge.cell(CELL, 0.9, "9 / 10", causes[:1])
-    assert (refused.verdict, refused.cause) == ("contradicted", "tried in vain: no")
+    assert (refused.verdict, refused.cause) == ("contradicted", "")
+    assert refused.arithmetic == "9 / 10; tried in vain: no (0.5)"
     assert judge.cell(CELL, 0.8751, "7 / 8", causes).verdict == "reproduced"
     assert judge.cell(CELL, math.nan, "0 / 0").recomputed is None
 

@@ -43,11 +43,11 @@ __all__ = [
 ]
 
 MODULES = {
-    "eros-humanoid": "eros_humanoid",
-    "receptionist-arm": "receptionist_arm",
     "xl430-hexapod": "xl430_hexapod",
     "krsri-hexapod": "krsri_hexapod",
     "udiebot-quadruped": "udiebot_quadruped",
+    "eros-humanoid": "eros_humanoid",
+    "receptionist-arm": "receptionist_arm",
 }
 PAPERS = tuple(MODULES)
 

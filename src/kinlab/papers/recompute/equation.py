@@ -79,7 +79,8 @@ def check(paper: str, equation: Equation, samples: Quantities, where: str = "equ
             yield Finding(
                 paper, f"{name} entry {i + 1},{j + 1}", "entry", text, text if fits else plain(truth[k, i, j]), "",
                 "reproduced" if fits else verdict, "" if fits else equation.cause,
-                f"{_inputs(equation, samples, k)}printed {_shown(printed[k, i, j], '')}, true {_shown(truth[k, i, j], '')}",
+                f"{_inputs(equation, samples, k)}printed {_shown(printed[k, i, j], '')}, "
+                f"true {_shown(truth[k, i, j], '')}",
                 damaged=equation.damaged and not fits,
             )  # fmt: skip
 

@@ -47,6 +47,14 @@ def cut(value: float, decimals: int) -> Cause:
     )
 
 
+def mean_line(values: Iterable[float]) -> str:
+    """A mean as a reader takes it: "(3.2 + 5.1 - 4) / 3 = 4.3 / 3 = 1.4333"."""
+    terms = [float(value) for value in values]
+    written = " ".join(f"{'-' if v < 0 else '+'} {abs(v):g}" for v in terms).removeprefix("+ ")
+    total = round(sum(terms), 9)
+    return f"({written}) / {len(terms)} = {total:g} / {len(terms)} = {round(total / len(terms), 4):g}"
+
+
 @dataclass(frozen=True)
 class Finding:
     """One printed thing, recomputed.
@@ -64,6 +72,7 @@ class Finding:
         arithmetic: the computation in one line that a reader can redo by hand.
         explained_by: the cause that gives the printed figure, where there is one.
         damaged: the scan did it; not counted against the paper.
+        decimals: of the column, where the figure lost zeros at its end.
         table, row, column: of a cell; a figure that the text quotes from a table names the table alone.
     """
 
@@ -78,6 +87,7 @@ class Finding:
     arithmetic: str
     explained_by: Cause | None = None
     damaged: bool = False
+    decimals: int | None = None
     table: str = ""
     row: str = ""
     column: str = ""
@@ -109,7 +119,9 @@ class Finding:
 
     def _shown(self, value: float) -> str:
         """Two digits more than the print has, and three in any case."""
-        decimals = self.printed.decimals + 2 if isinstance(self.printed, Figure) else 4
+        decimals = 4
+        if isinstance(self.printed, Figure):
+            decimals = 2 + (self.printed.decimals if self.decimals is None else self.decimals)
         if value:
             decimals = max(decimals, 2 - math.floor(math.log10(abs(value))))
         text = f"{value + 0.0:.{decimals}f}"
@@ -220,10 +232,13 @@ class Judge:
         """
         for name, cell in table.rows["average"].items():
             column = table.column(name)
-            total, mean = column.sum(), float(column.mean())
-            line = f"{total:.6g} / {len(column)} = {mean:.4f}"
+            mean = float(column.mean())
             yield self.cell(
-                cell, mean, line, [cut(mean, cell.figure.decimals)], (remarks or {}).get(name, "")
+                cell,
+                mean,
+                mean_line(column),
+                [cut(mean, cell.figure.decimals)],
+                (remarks or {}).get(name, ""),
             )
 
     def _judge(
@@ -249,11 +264,11 @@ class Judge:
             verdict, said = "explained", "; ".join(filter(None, (found.name, remark)))
             arithmetic = "; ".join(filter(None, (arithmetic, found.arithmetic)))
         elif tried:
-            names = ", ".join(cause.name for cause in tried)
-            said = "; ".join(filter(None, (remark, f"tried in vain: {names}")))
+            names = ", ".join(f"{cause.name} ({cause.value:.6g})" for cause in tried)
+            arithmetic = f"{arithmetic}; tried in vain: {names}"
         return Finding(
             self.paper, where, kind, figure, plain(own), unit, verdict, said, arithmetic, found, figure.damaged,
-            *place,
+            decimals, *place,
         )  # fmt: skip
 
 

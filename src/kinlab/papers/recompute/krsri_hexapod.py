@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from kinlab.kinematics.transforms import Array
-from kinlab.papers.recompute.finding import Finding, Judge
+from kinlab.papers.recompute.finding import Finding, Judge, mean_line
 from kinlab.papers.recompute.krsri_equations import equations
 from kinlab.papers.recompute.paper import Paper, numbers
 from kinlab.papers.tables import printed_table
@@ -95,8 +95,7 @@ def quoted_averages(where: str, number: str) -> Iterator[Finding]:
     table = printed_table(NAME, number)
     for gait, figure in zip(GAITS, printed, strict=True):
         column = table.column(gait)
-        share = f"{column.sum():.1f} / {len(column)} = {column.mean():.3f}"
-        line = f"{share} cm of 100 cm" if table.units[gait] == "cm" else f"{share} %"
+        line = f"{mean_line(column)} {'cm of 100 cm' if table.units[gait] == 'cm' else '%'}"
         yield JUDGE.figure(
             f"{where}, average way of the {gait}, Table {number}", figure, float(column.mean()), "%", line, table=number
         )  # fmt: skip

@@ -7,7 +7,7 @@ import numpy as np
 from kinlab.kinematics.transforms import Array, homogeneous, rotation
 from kinlab.papers import udiebot_quadruped as udiebot
 from kinlab.papers.recompute.equation import Equation, Quantities, check
-from kinlab.papers.recompute.finding import Cause, Finding, Judge, cut
+from kinlab.papers.recompute.finding import Cause, Finding, Judge, cut, mean_line
 from kinlab.papers.recompute.leg import leg_quantities
 from kinlab.papers.recompute.paper import Paper, numbers
 from kinlab.papers.tables import Cell, PrintedTable, printed_table
@@ -167,21 +167,18 @@ def equations() -> Iterator[Finding]:
 
 def robot() -> Iterator[Finding]:
     """Tables 1 to 3: what was built, and the joints added up."""
+    each = printed_table(NAME, "3").column("DOF")
+    of_a_leg = " + ".join(f"{v:g}" for v in each) + f" = {each.sum():g}"
+    computed = {
+        ("1", "degrees of freedom", "value"): (4 * each.sum(), f"4 legs x {each.sum():g} joints = 12"),
+        ("1", "servos", "value"): (4 * each.sum(), f"4 legs x {each.sum():g} servos = 12"),
+        ("3", "total", "DOF"): (4 * each.sum(), f"4 legs x {each.sum():g} joints = 12"),
+        ("3", "total", "DOF per leg"): (each.sum(), of_a_leg),
+    }
     for number in ("1", "2", "3"):
-        table = printed_table(NAME, number)
-        for cell in table.cells():
-            if cell.row in ("degrees of freedom", "servos") or (cell.row, cell.column) == (
-                "total",
-                "degrees of freedom",
-            ):
-                yield JUDGE.cell(cell, 4 * 3, "4 legs x 3 joints = 12")
-            elif (cell.row, cell.column) == ("total", "degrees of freedom of a leg"):
-                each = table.column("degrees of freedom")
-                yield JUDGE.cell(
-                    cell, float(each.sum()), " + ".join(f"{v:g}" for v in each) + f" = {each.sum():g}"
-                )
-            else:
-                yield JUDGE.measured(cell, "what the authors built")
+        for cell in printed_table(NAME, number).cells():
+            own = computed.get((cell.table, cell.row, cell.column))
+            yield JUDGE.measured(cell, "what the authors built") if own is None else JUDGE.cell(cell, *own)
 
 
 def femur() -> Finding:
@@ -370,7 +367,7 @@ def conclusion() -> Iterator[Finding]:
         errors, targets = table.column(f"error {axis}"), table.column(axis)
         mean = float(errors.mean())
         own, causes = mean, []
-        line = f"{errors.sum():.3f} / {len(errors)} = {mean:.4f} cm"
+        line = f"{mean_line(errors)} cm"
         if unit == "mm":
             own, line = 10 * mean, f"{line} = {10 * mean:.3f} mm"
             causes.append(Cause("cm, the unit of the table, not mm", mean))
