@@ -12,7 +12,7 @@ REPORTS = {report.paper.name: report for report in recompute()}
 # Findings by verdict: reproduced, explained, contradicted, measured. To change one takes a reason in the commit.
 TOTALS = {
     "eros-humanoid": (156, 20, 31, 100),
-    "receptionist-arm": (383, 44, 48, 8),
+    "receptionist-arm": (390, 46, 49, 8),
     "xl430-hexapod": (77, 13, 22, 145),
     "krsri-hexapod": (202, 1, 6, 176),
     "udiebot-quadruped": (182, 129, 20, 109),

@@ -10,6 +10,7 @@ from kinlab.dynamixel.codec.checks import checksum
 from kinlab.dynamixel.codec.hextext import show_hex
 from kinlab.dynamixel.codec.instructions import BY_NAME
 from kinlab.dynamixel.codec.packets import Packet, encode, status
+from kinlab.dynamixel.tables import load_table
 from kinlab.kinematics.shoulder_arm import shoulder_arm_ik
 from kinlab.papers.recompute.finding import Cause, Finding
 from kinlab.papers.recompute.receptionist_tables import CLOCK, JUDGE, NAME, SERVO
@@ -80,6 +81,32 @@ def protocol() -> Iterator[Finding]:
         f"{where}, highest ID", "255", highest, "", f"RX-24F: IDs go to {highest:g}; 254 is everybody",
         remark="section 2.3.1 and the paragraph on the instruction packet have 0 to 253",
     )  # fmt: skip
+    yield JUDGE.figure(f"{where}, highest ID of a packet", "0xFD", highest, "", f"{highest:g} = 0xFD")
+    yield JUDGE.figure(
+        f"{where}, model number", "0x000C", SERVO.number, "", f"RX-24F: {SERVO.number}",
+        [Cause("the AX-12's", load_table("AX-12A").number, arithmetic="AX-12: 12 = 0x0C")],
+    )  # fmt: skip
+    alarms = {name: bit for bit, name in SERVO.find("shutdown").values}
+    for error, text in (("overheating", "2"), ("input voltage", "0")):
+        bit = alarms[error]
+        yield JUDGE.figure(
+            f"{where}, bit of the {error} error", text, bit, "", f"RX-24F: {error} is bit {bit}"
+        )
+    for register, place, text in (
+        ("return_delay_time", "microseconds of a step of the return delay", "2"),
+        ("cw_compliance_margin", "highest compliance margin", "255"),
+        ("cw_compliance_slope", "highest compliance slope", "255"),
+        ("cw_compliance_margin", "d, highest compliance margin", "254"),
+        ("punch", "highest punch", "0x3FF"),
+    ):
+        item = SERVO.find(register)
+        own = item.scale if "step" in place else float(item.high)
+        older = (
+            [Cause("the AX-12's, in its manual of 2006", 254)] if register == "cw_compliance_margin" else []
+        )
+        yield JUDGE.figure(f"{where}, {place}", text, own, "", f"RX-24F, {item.title}: {own:g}", older)
+    punch = float(SERVO.find("punch").initial)
+    yield JUDGE.figure(f"{where}, initial punch", "0x20", punch, "", f"RX-24F, Punch: {punch:g} = 0x20")
     volt = SERVO.find("min_voltage_limit").scale
     yield JUDGE.figure(f"{where}, voltage for 80", "8", 80 * volt, "V", f"80 * {volt} = 8")
     yield JUDGE.figure(f"{where}, value for 10 V", "0x64", 10 / volt, "", f"10 / {volt} = 100 = 0x64")
