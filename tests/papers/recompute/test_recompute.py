@@ -102,6 +102,19 @@ def test_the_first_cause_that_fits_is_the_reason():
     assert judge.cell(CELL, math.nan, "0 / 0").recomputed is None
 
 
+def test_a_figure_is_shown_with_the_digits_that_tell_it_from_the_print():
+    judge = Judge("ours")
+    half = Cell("1", "test 1", "t", "s", Figure("63"))
+    assert judge.cell(half, 62.5, "1000 / 16").recomputed_text == "63"
+    assert judge.cell(CELL, 8 / 9, "8 / 9").recomputed_text == "0.8889"
+    assert judge.cell(half, -0.0164, "").recomputed_text == "-0.0164"
+    assert judge.cell(half, 32.003, "", decimals=3).recomputed_text == "32.003"
+    by_hex = judge.cell(Cell("1", "a", "hex", "", Figure("0X0C")), 12, "")
+    assert by_hex.recomputed_text == "0X0C"
+    explained = judge.cell(CELL, 0.7, "", [Cause("yes", 0.8812)])
+    assert (explained.recomputed_text, explained.explained_text) == ("0.7", "0.8812")
+
+
 def test_what_is_left_out_is_missing():
     paper = paper_of("xl430")
     findings = REPORTS["xl430-hexapod"].findings

@@ -99,11 +99,11 @@ class Finding:
 
     @property
     def recomputed_text(self) -> str:
-        """What it should be, with more digits than the print where the two differ; empty where there is nothing."""
+        """What it should be: as printed where that is it, else with more digits; empty where there is nothing."""
         if self.recomputed is None or isinstance(self.recomputed, str):
             return self.recomputed or ""
-        if self.verdict == "reproduced" and isinstance(self.printed, Figure):
-            return f"{self.recomputed:.{self.printed.decimals}f}"
+        if self.verdict == "reproduced":
+            return self.printed_text
         return self._shown(self.recomputed)
 
     @property
