@@ -4,6 +4,7 @@ import math
 
 import pytest
 
+from kinlab.papers import eros_humanoid
 from kinlab.papers.recompute import recompute
 from kinlab.papers.tables import printed_table
 
@@ -91,3 +92,12 @@ def test_worked_lines_can_be_followed():
     dP_x, dP_y, P_6z = 10.0, 30.0767, -170.574
     assert f"printed {math.hypot(dP_x, P_6z):.3f} mm" in FOUND["equation (17)"].arithmetic
     assert f"true {math.sqrt(dP_x**2 + dP_y**2 + P_6z**2):.3f} mm" in FOUND["equation (17)"].arithmetic
+
+
+def test_as_printed_and_recomputed_know_the_same_misprints():
+    legs = [m.equation for m in eros_humanoid.INVERSE.misprints]
+    off = [n for n in map(str, range(9, 29)) if FOUND[f"equation ({n})"].verdict != "reproduced"]
+    assert off == legs
+    assert [m.equation for m in eros_humanoid.HEAD.misprints] == ["3"]
+    # phi stands in entries 1,4 and 3,4.
+    assert [m.equation for m in eros_humanoid.ARM.misprints] == ["R11", "phi"]

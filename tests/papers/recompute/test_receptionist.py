@@ -6,6 +6,7 @@ import re
 import numpy as np
 import pytest
 
+from kinlab.papers import receptionist_torques
 from kinlab.papers.recompute import recompute
 from kinlab.papers.recompute.receptionist_newton import rate
 
@@ -158,3 +159,8 @@ def test_differences_are_good_enough_to_be_the_truth():
 def test_numbers_of_an_earlier_version_are_recognised():
     references = [f for f in REPORT.findings if f.where.endswith("its number")]
     assert [f.verdict for f in references] == ["explained"] * 8 + ["contradicted"]
+
+
+def test_as_printed_and_recomputed_know_the_same_misprints():
+    for misprint in receptionist_torques.MISPRINTS:
+        assert FOUND[f"equation ({misprint.equation})"].verdict != "reproduced"
