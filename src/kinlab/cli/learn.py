@@ -184,6 +184,7 @@ def _watch(sitting: "Sitting", path: Path) -> None:
     from kinlab.cli.printing import print_lines
     from kinlab.files import write_whole
     from kinlab.lessons.sheet import blank, read_sheet
+    from kinlab.lessons.task import did_you_mean
 
     if not path.exists():
         write_whole(path, blank(sitting))
@@ -204,7 +205,10 @@ def _watch(sitting: "Sitting", path: Path) -> None:
             if name not in sitting.tasks:
                 typer.echo(
                     sitting.say(
-                        "talk.sheet-unknown", path=path, name=name, near=suggestion(name, sitting.tasks)
+                        "talk.sheet-unknown",
+                        path=path,
+                        name=name,
+                        near=did_you_mean(sitting.language, name, sitting.tasks),
                     )
                 )
                 continue
