@@ -23,6 +23,7 @@ COMMANDS = {
     "emulate": "an emulated servo chain for other programs, on a pty or TCP",
     "learn": "the course: lessons that check themselves, in English and Bahasa Indonesia",
     "bus": "scan, read, write and monitor the servos on a port",
+    "papers": "every number that the papers print, recomputed: what follows, what does not, and why",
 }
 
 
