@@ -4,6 +4,7 @@ import sys
 from collections.abc import Callable
 from contextlib import suppress
 from enum import Enum, auto
+from io import TextIOWrapper
 
 import typer
 
@@ -57,6 +58,8 @@ class Session:
     def run(self) -> None:
         """The whole lesson, from its beginning; exercises that are done are passed by."""
         sitting = self.sitting
+        if isinstance(sys.stdin, TextIOWrapper):
+            sys.stdin.reconfigure(errors="replace")
         with suppress(ImportError):
             # Lines can be edited and called back.
             import readline  # noqa: F401
@@ -122,7 +125,7 @@ class Session:
             self._markdown(sitting.say("talk.shown", text=task.solution))
             return After.GO_ON
         if now.solved:
-            self._say("solved", style="good")
+            self._say("solved", style="good", reply=quote(sitting.answered(name)))
             return After.GO_ON
         answer = self._talk if task.exercise.kind == "state" else self._answer
         return self._ask(task, answer(task))
