@@ -282,7 +282,7 @@ def test_a_watched_file_is_checked_when_it_is_saved(tmp_path: Path) -> None:
     assert f"{count} of {count} exercise(s) solved by yourself" in " ".join(rest.split())
 
 
-@pytest.mark.parametrize("columns", range(12, 60))
+@pytest.mark.parametrize("columns", [12, 29, 30, 31, 47, 60])
 def test_a_full_stop_stays_with_the_word_before_it(columns: int) -> None:
     lines = prose("In the paper of `xl430-hexapod`. You know a **limb frame**, don't you?", columns)
     text = ["".join(part for _, part in line) for line in lines]
