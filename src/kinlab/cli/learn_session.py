@@ -278,7 +278,7 @@ class Session:
             self._say("left", names=", ".join(sitting.open))
             self._say("kept", lesson=lesson.id)
             return
-        following = self.course.next_for(sitting.progress)
+        following = self.course.next_for(sitting.progress, after=lesson.id)
         if following:
             self._say("next", lesson=following.id, title=following.title(sitting.language))
         else:
