@@ -1,6 +1,5 @@
 """`kinlab learn`: the list, the lesson at the plain terminal, and a lecturer's commands."""
 
-import shlex
 import subprocess
 import sys
 import time
@@ -11,8 +10,9 @@ from typing import Any
 
 import pytest
 
+from kinlab.cli.learn_prose import prose
 from kinlab.language import words_of
-from kinlab.lessons import Lesson, Progress, Sitting, Text, load_course
+from kinlab.lessons import Lesson, Progress, Sitting, load_course
 from kinlab.lessons.kinds import kind_of
 
 LEG = "leg-geometry"
@@ -290,27 +290,9 @@ def test_a_watched_file_is_checked_when_it_is_saved(tmp_path: Path) -> None:
     assert f"{count} of {count} exercise(s) solved by yourself" in " ".join(rest.split())
 
 
-def shown_commands(language: str) -> list[list[str]]:
-    """What the lessons tell a student to type, on lines of their own."""
-    found = []
-    for lesson in load_course().lessons.values():
-        for part in Sitting.alone(lesson, "ani", language).parts():
-            if isinstance(part, Text):
-                lines = [line.strip() for line in part.markdown.split("\n") if line.startswith("    kinlab ")]
-                found += [shlex.split(line, comments=True)[1:] for line in lines]
-    return found
-
-
-# Hardware that is not here, a file that the student writes, and minutes of walking.
-ELSEWHERE = {"--port", "mine.yaml", "walk"}
-
-
-@pytest.mark.parametrize("command", [c for c in shown_commands("en") if not ELSEWHERE & set(c)], ids=" ".join)
-def test_a_command_that_a_lesson_shows_does_something(kinlab: Any, command: list[str]) -> None:
-    run = kinlab(*command)
-    assert run.code in (0, 1), run.err
-    assert run.out
-
-
-def test_both_languages_show_the_same_commands() -> None:
-    assert shown_commands("en") == shown_commands("id")
+@pytest.mark.parametrize("columns", [12, 29, 30, 31, 47, 60])
+def test_a_full_stop_stays_with_the_word_before_it(columns: int) -> None:
+    lines = prose("In the paper of `xl430-hexapod`. You know a **limb frame**, don't you?", columns)
+    text = ["".join(part for _, part in line) for line in lines]
+    assert " ".join(text) == "In the paper of xl430-hexapod. You know a limb frame, don't you?"
+    assert all(len(line) <= columns or " " not in line for line in text)

@@ -132,22 +132,31 @@ def wrapped(text: str, room: int, *, head: str = "", style: str = "") -> Iterato
     line: Line = [("", head)] if head else []
     used = len(head)
     fresh = True
+    for word in _words(text, style):
+        size = sum(len(part) for _, part in word)
+        if not fresh and used + 1 + size > room:
+            yield line
+            line, used, fresh = [("", " " * len(head))] if head else [], len(head), True
+        if not fresh:
+            line.append(("", " "))
+            used += 1
+        line += word
+        used += size
+        fresh = False
+    yield line
+
+
+def _words(text: str, style: str) -> list[Line]:
+    """What a line must not break: a word with the full stop that follows its markup."""
+    found: list[Line] = []
+    glued = False
     for look, piece in spans(text, style):
         for word in re.findall(r"\S+|\s+", piece):
-            blank = word.isspace()
-            if not blank and not fresh and used + len(word) > room:
-                yield _trimmed(line)
-                line, used, fresh = [("", " " * len(head))] if head else [], len(head), True
-            if blank and fresh:
-                continue
-            shown = " " if blank else word
-            line.append((look, shown))
-            used += len(shown)
-            fresh = False
-    yield _trimmed(line)
-
-
-def _trimmed(line: Line) -> Line:
-    while line and line[-1][1].isspace() and len(line) > 1:
-        line.pop()
-    return line
+            if word.isspace():
+                glued = False
+            elif glued:
+                found[-1].append((look, word))
+            else:
+                found.append([(look, word)])
+                glued = True
+    return found
