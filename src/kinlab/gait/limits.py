@@ -103,10 +103,14 @@ def _instants(walk: Walk) -> Array:
     return np.sort(np.concatenate([even, near]) % 1) * walk.period
 
 
-def _speeds(walk: Walk, times: Array) -> Array:
+def joint_rates(walk: Walk, times: Array) -> Array:
+    """How fast the joints turn (..., L, n) at `times` (...), s, in rad/s; at an event the mean of both sides."""
     h = TICK * walk.period
-    rates = (walk.at(times + h).q - walk.at(times - h).q) / (2 * h)
-    return np.asarray(np.abs(rates).max(axis=0))
+    return np.asarray((walk.at(times + h).q - walk.at(times - h).q) / (2 * h))
+
+
+def _speeds(walk: Walk, times: Array) -> Array:
+    return np.asarray(np.abs(joint_rates(walk, times)).max(axis=0))
 
 
 def _allowed(walk: Walk) -> Array:

@@ -8,7 +8,7 @@ import numpy as np
 
 from kinlab.control import Environment, PositionGains, SecondOrder
 from kinlab.dynamics import Mechanism
-from kinlab.dynamixel import Faults
+from kinlab.dynamixel import Faults, MemoryPort
 from kinlab.errors import UsageError
 from kinlab.kinematics.resolved_motion import Track
 from kinlab.papers import receptionist_torques
@@ -16,7 +16,7 @@ from kinlab.papers.equations import NONE
 from kinlab.papers.receptionist_line import misprint_note, singularities
 from kinlab.rig.arm import ArmServos, Push, Record, RunawayError, Settings, Setup, run
 from kinlab.rig.arm.loop import KGF_CM, TABLE_4_1
-from kinlab.rig.arm.trace import TappedPort
+from kinlab.rig.arm.trace import script
 from kinlab.robots import Limb, Robot
 
 CONCLUSION_GAINS = PositionGains(3.8, 0.02)
@@ -114,23 +114,14 @@ def drive(
         raise UsageError(f"the chance that a byte is lost is at least 0 and less than 1, got {drop}")
     with ArmServos.emulated(robot, limb, track.q[0].tolist(), pushes, setup) as servos:
         servos.hold()
-        if drop and isinstance(servos.bus.port, TappedPort):
+        if drop and isinstance(servos.bus.port, MemoryPort):
             servos.bus.port.chain.faults = Faults(drop=drop)
         return run(servos, track, settings, tell)
 
 
 def one_cycle(robot: Robot, limb: Limb, track: Track, settings: Settings, setup: Setup, cycle: int) -> str:
     """The packets of one cycle, as a script for the packet sandbox."""
-    with ArmServos.emulated(robot, limb, track.q[0].tolist(), (), setup) as servos:
-        servos.hold()
-        port = servos.bus.port
-        assert isinstance(port, TappedPort), "an emulated arm is on a tapped port"
-
-        def listen(k: int, record: Record) -> None:
-            port.listening = k == cycle - 1
-
-        run(servos, track, settings, listen)
-        return port.script(robot.name)
+    return script(drive(robot, limb, track, settings, setup), cycle - 1, robot.name)
 
 
 def tracking(

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinlab.dynamixel.bus import Passage
 from kinlab.files import write_whole
 from kinlab.kinematics.resolved_motion import Track
 from kinlab.kinematics.transforms import Array
@@ -38,6 +39,8 @@ class Record:
             disturbance and reaction (the observers), pushed (what hands really do; NaN where nobody knows).
             All but pushed count as the servo does: positive is what it gives, or what resists it.
         causes: why answers were missed, and how often.
+        began: when the motion began, s on the bus's clock.
+        packets: what went over the bus meanwhile.
     """
 
     limb: Limb
@@ -50,14 +53,17 @@ class Record:
     angles: dict[str, Array]
     torques: dict[str, Array]
     causes: dict[str, int] = field(default_factory=dict)
+    began: float = 0.0
+    packets: list[Passage] = field(default_factory=list)
 
     @classmethod
-    def empty(cls, limb: Limb, track: Track, dt: float) -> "Record":
+    def empty(cls, limb: Limb, track: Track, dt: float, began: float = 0.0) -> "Record":
         """A record to be filled by `note`."""
         count, n = track.q.shape
         return cls(
             limb, track, dt, np.zeros(count), np.zeros(count), np.zeros((count, n), bool), np.zeros(count),
             {name: np.zeros((count, n)) for name in ANGLES}, {name: np.zeros((count, n)) for name in TORQUES},
+            began=began,
         )  # fmt: skip
 
     def note(
