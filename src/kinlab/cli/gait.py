@@ -1,21 +1,29 @@
 """`kinlab gait`: a gait phase by phase."""
 
 import sys
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from kinlab.cli.command import (
+    ForceOption,
     GaitOption,
     JsonOption,
     NumericCommand,
     RobotArgument,
     RobotsOption,
+    RrdOption,
     SpeedOption,
     TurnOption,
+    check_rrd,
     command_app,
     print_json,
+    write_rrd,
 )
+
+if TYPE_CHECKING:
+    from kinlab.gait import Walk
+    from kinlab.scene import Recording
 
 app = command_app()
 
@@ -65,6 +73,8 @@ def gait(
         ),
     ] = False,
     frames: Annotated[int, typer.Option(metavar="N", help="Frames of a cycle in the JSON.")] = 60,
+    rrd: RrdOption = None,
+    force: ForceOption = False,
     robots: RobotsOption = None,
     json: JsonOption = False,
 ) -> None:
@@ -88,6 +98,7 @@ def gait(
         return
     if step and (json or phase is not None):
         raise UsageError("--step shows all phases to a person: it goes with neither --json nor --phase")
+    check_rrd(rrd, force)
     machine = load_robot(robot, robots)
     schedule = find_gait(machine, name, robots)
     walk = plan(
@@ -113,6 +124,7 @@ def gait(
         from kinlab.papers import footstep_as_printed
 
         printed = footstep_as_printed(walk)
+    write_rrd(rrd, force, lambda: _scene(walk))
     if json:
         document = answer.to_json(frames)
         if only is not None:
@@ -136,6 +148,12 @@ def gait(
                 show(sentences(("-", EXPERIMENT_NOTE)))
         if as_printed:
             show_as_printed(printed)
+
+
+def _scene(walk: "Walk") -> "Recording":
+    from kinlab.scene import gait_scene
+
+    return gait_scene(walk)
 
 
 def _energy(machine: Any, json: bool) -> None:

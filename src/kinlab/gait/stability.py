@@ -95,6 +95,12 @@ class Stability:
         """The centre of mass (..., 3) in the ground frame, metres."""
         return self.motion.walk.carried(self.motion.walk.travel(self.motion.t), self.centre)
 
+    @cached_property
+    def zmp_over_ground(self) -> Array:
+        """The zero moment point (..., 3) in the ground frame, metres."""
+        flat = np.concatenate([self.zmp, np.zeros((*self.zmp.shape[:-1], 1))], axis=-1)
+        return self.motion.walk.carried(self.motion.walk.travel(self.motion.t), flat)
+
     def support(self, frame: int) -> Array:
         """The corners (k, 3) of the support polygon of frame `frame` of (N,), counter-clockwise, ground frame."""
         each = self.contacts.shape[-2] // self.down.shape[-1]

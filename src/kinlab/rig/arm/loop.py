@@ -107,7 +107,8 @@ def run(
         KinlabError: a servo has not answered for PATIENCE cycles in a row.
     """
     clock = servos.bus.port.clock
-    record = Record.empty(servos.limb, track, settings.dt, clock.now())
+    pushes = servos.world.pushes if servos.world else ()
+    record = Record.empty(servos.limb, track, settings.dt, clock.now(), pushes)
     servos.bus.tap = record.packets.append
     if servos.world:
         servos.world.began = record.began

@@ -12,6 +12,7 @@ from kinlab.dynamixel.bus import Passage
 from kinlab.files import write_whole
 from kinlab.kinematics.resolved_motion import Track
 from kinlab.kinematics.transforms import Array
+from kinlab.rig.arm.push import Push
 from kinlab.rig.arm.world import World
 from kinlab.robots import Limb
 
@@ -41,6 +42,7 @@ class Record:
         causes: why answers were missed, and how often.
         began: when the motion began, s on the bus's clock.
         packets: what went over the bus meanwhile.
+        pushes: the hands that pushed; empty too where the arm is real, and nobody knows.
     """
 
     limb: Limb
@@ -55,15 +57,18 @@ class Record:
     causes: dict[str, int] = field(default_factory=dict)
     began: float = 0.0
     packets: list[Passage] = field(default_factory=list)
+    pushes: tuple[Push, ...] = ()
 
     @classmethod
-    def empty(cls, limb: Limb, track: Track, dt: float, began: float = 0.0) -> "Record":
+    def empty(
+        cls, limb: Limb, track: Track, dt: float, began: float = 0.0, pushes: tuple[Push, ...] = ()
+    ) -> "Record":
         """A record to be filled by `note`."""
         count, n = track.q.shape
         return cls(
             limb, track, dt, np.zeros(count), np.zeros(count), np.zeros((count, n), bool), np.zeros(count),
             {name: np.zeros((count, n)) for name in ANGLES}, {name: np.zeros((count, n)) for name in TORQUES},
-            began=began,
+            began=began, pushes=pushes,
         )  # fmt: skip
 
     def note(
