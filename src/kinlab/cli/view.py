@@ -73,6 +73,8 @@ def view(
     Without a subject the robot stands. Scrub `time` or `phase`; drag to turn,
     right-drag to move, scroll to come nearer. Needs the extra kinlab[view].
     """
+    from contextlib import suppress
+
     from kinlab.errors import UsageError
     from kinlab.robots import load_robot
     from kinlab.scene import View, check_viewer, show
@@ -103,7 +105,12 @@ def view(
         recording = robot_scene(machine, which, frames=frames, workspace=workspace)
     write_rrd(save, force, lambda: recording)
     if how:
-        show(recording, how, lambda line: typer.echo(f"kinlab: {line}", err=True))
+        where = (
+            f"open {how.page}   Ctrl-C ends" if serve else "closing its window, or Ctrl-C, ends the viewer"
+        )
+        typer.echo(f"kinlab: {where}", err=True)
+        with suppress(KeyboardInterrupt):
+            show(recording, how)
     if not reached:
         raise typer.Exit(1)
 

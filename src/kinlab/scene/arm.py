@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from kinlab.kinematics.transforms import Array
 from kinlab.papers.receptionist_experiments import Outcome
 from kinlab.rig.arm import Push, Record
 from kinlab.robots import Robot
@@ -21,10 +22,17 @@ def arm_scene(robot: Robot, outcome: Outcome) -> Recording:
     recording = Recording(f"{robot.name} {outcome.title}")
     recording.keep()
     packets = any(record.packets for record in outcome.runs.values())
-    recording.stream.send_blueprint(blueprints.arm(robot, tuple(outcome.runs), packets))
+    places = {name: _places(record) for name, record in outcome.runs.items()}
+    recording.stream.send_blueprint(blueprints.arm(places, packets))
     for name, record in outcome.runs.items():
         _run(recording, robot, name, record)
     return recording
+
+
+def _places(record: Record) -> Array:
+    """Where the arm's joints and hand came (k, 3), body frame, metres."""
+    frames = record.limb.frames(record.angles["real"])[..., :3, 3]
+    return record.limb.from_limb(frames, "body").reshape(-1, 3)
 
 
 def _run(recording: Recording, robot: Robot, name: str, record: Record) -> None:
@@ -35,7 +43,7 @@ def _run(recording: Recording, robot: Robot, name: str, record: Record) -> None:
     recording.pose(tree.body, stood(robot))
     tree.poses({other: q for other, q in resting(robot).items() if other != limb.name})
     tree.pose(limb, real, times)
-    tree.draw_limb(limb, ghost="command")
+    tree.draw_limb(limb, ghost="command", colour=colours.TARGET)
     tree.pose(limb, command, times, ghost="command")
     home = tree.limb(limb)
     wanted = rr.LineStrips3D([to_mm(record.track.points)], radii=tree.thick / 8, colors=colours.TARGET)
@@ -62,7 +70,7 @@ def _push(tree: Tree, path: str, record: Record, push: Push, times: Times) -> No
     acts = np.array([push.acts(t) for t in record.t])
     force = MM_PER_NEWTON * np.array(push.force)
     ends = to_mm(limb.frames(record.angles["real"])[:, push.contact(limb).link + 1, :3, 3])[acts]
-    label = f"{np.linalg.norm(push.force):g} N at {push.at}"
+    label = f"push of {np.linalg.norm(push.force):g} N at {push.at}"
     look = rr.Arrows3D.from_fields(radii=tree.thick / 2, colors=colours.FORCE, labels=label)
     tree.recording.still(path, look)
     vectors = np.tile(force, (len(ends), 1))

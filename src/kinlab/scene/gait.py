@@ -42,7 +42,7 @@ def gait_scene(
     motion, rates = walk.at(t), joint_rates(walk, t)
     recording = into or Recording(f"{walk.robot.name} {walk.gait.name}")
     recording.keep()
-    recording.stream.send_blueprint(blueprints.gait(walk.robot))
+    recording.stream.send_blueprint(blueprints.gait(walk.robot, motion.body))
     times = Times(t, walk.phase(t))
     _walker(recording, motion, times, axes)
     for i, leg in enumerate(walk.robot.legs):
@@ -69,7 +69,7 @@ def walk_scene(result: WalkResult, packets: Sequence[Passage] = ()) -> Recording
     heard = [packet for packet in packets if packet.at >= began]
     recording = Recording(f"{robot.name} {walk.gait.name} walk")
     recording.keep()
-    recording.stream.send_blueprint(blueprints.walk(robot, bool(heard)))
+    recording.stream.send_blueprint(blueprints.walk(robot, plan.body, bool(heard)))
     _walker(recording, measured, times, False)
     curves = {
         "angles": wiring.by_limb(np.degrees(record.q)),

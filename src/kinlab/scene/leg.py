@@ -77,7 +77,7 @@ def target_scene(
     for variant in printed:
         if variant.angles is not None and variant.tip is not None:
             ghost = f"printed {variant.variant}"
-            tree.draw_limb(limb, ghost=ghost)
+            tree.draw_limb(limb, ghost=ghost, colour=colours.ERROR)
             tree.pose(limb, [variant.angles[name] for name in limb.joint_names], ghost=ghost)
             _error(tree, f"{tree.limb(limb, ghost)}/error", variant.tip, answer.target, f"{ghost}: ")
     if workspace:
@@ -137,7 +137,7 @@ def _told(answer: TargetReport, printed: Iterable[AsPrinted]) -> str:
 
 def _row(name: str, limb: Limb, q: Array, error_m: float) -> str:
     angles = " | ".join(f"{angle:.3f}" for angle in angles_deg(limb, q).values())
-    return f"| {name} | {angles} | {error_m * 1000:.3g} |"
+    return f"| {name} | {angles} | {error_m * 1000:.4f} |"
 
 
 def _place(answer: TargetReport, point: Array) -> str:

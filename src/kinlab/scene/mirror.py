@@ -13,9 +13,10 @@ from kinlab.errors import KinlabError, UsageError
 from kinlab.robots import Robot
 from kinlab.robots.body import resting
 from kinlab.scene import blueprints
+from kinlab.scene.page import LOOPBACK
 from kinlab.scene.recording import Recording, Times
 from kinlab.scene.tree import Tree, stood
-from kinlab.scene.viewer import LOOPBACK, PORT
+from kinlab.scene.viewer import PORT
 
 _ADDRESS = re.compile(r"(?:rerun\+http://)?(?:([\w.-]+):)?(\d+)(?:/proxy)?")
 PATIENCE = 2.0  # s that a viewer may take to answer, and to take the last of what was sent

@@ -12,8 +12,8 @@ from kinlab.scene.recording import Recording, Times
 from kinlab.units import to_mm
 
 WORLD = "world"
-# Thickness of links, as a share of the longest limb; of joints and axes, in links.
-LINK, JOINT, AXIS = 0.03, 1.2, 3.0
+# Thickness of links, as a share of the longest limb; of ghosts and tips, and length of axes, in links.
+LINK, GHOST, TIP, AXIS = 0.03, 0.4, 1.2, 3.0
 
 
 class Tree:
@@ -64,19 +64,27 @@ class Tree:
         if frames:
             rec.still(self.body, rr.TransformAxes3D(10 * self.thick))
 
-    def draw_limb(self, limb: Limb, *, names: bool = False, frames: bool = False, ghost: str = "") -> None:
-        """Log a limb's geometry; as a ghost beside the limb where `ghost` names one."""
+    def draw_limb(
+        self,
+        limb: Limb,
+        *,
+        names: bool = False,
+        frames: bool = False,
+        ghost: str = "",
+        colour: tuple[int, int, int] = colours.GHOST,
+    ) -> None:
+        """Log a limb's geometry; as a thin ghost beside the limb, of one colour, where `ghost` names one."""
         rr, rec, thick = self.recording.rr, self.recording, self.thick
         rec.pose(self.limb(limb, ghost), limb.mount)
         at = self.joints(limb, ghost)
         for i, (joint, path) in enumerate(zip(limb.joints, at, strict=False)):
-            colour = colours.GHOST if ghost else colours.LINKS[i % 3]
             link = to_mm(joint.link)
             length = float(np.linalg.norm(link))
             if length:
                 capsule = rr.Capsules3D(
-                    lengths=length, radii=thick, quaternions=_from_z(link / length), colors=colour,
-                    labels=joint.name, show_labels=names, fill_mode="majorwireframe" if ghost else "solid",
+                    lengths=length, radii=GHOST * thick if ghost else thick,
+                    quaternions=_from_z(link / length), colors=colour if ghost else colours.LINKS[i % 3],
+                    labels=joint.name, show_labels=names, fill_mode="solid",
                 )  # fmt: skip
                 rec.still(f"{path}/link", capsule)
             if not ghost:
@@ -91,8 +99,8 @@ class Tree:
         tip = homogeneous(np.eye(3), limb.links[-1])
         rec.pose(at[-1], tip)
         point = rr.Points3D(
-            [[0, 0, 0]], radii=JOINT * thick, colors=colours.GHOST if ghost else colours.LINKS[-1],
-            labels=limb.name, show_labels=not (ghost or names),
+            [[0, 0, 0]], radii=TIP * (GHOST if ghost else 1) * thick,
+            colors=colour if ghost else colours.LINKS[-1], labels=limb.name, show_labels=not (ghost or names),
         )  # fmt: skip
         rec.still(f"{at[-1]}/point", point)
         if limb.sole and not ghost:

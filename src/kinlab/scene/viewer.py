@@ -4,17 +4,17 @@ import os
 import socket
 import subprocess
 import sys
-from collections.abc import Callable
-from contextlib import closing
+from collections.abc import Iterator
+from contextlib import ExitStack, closing, contextmanager
 from dataclasses import dataclass
 from importlib.util import find_spec
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from kinlab.errors import KinlabError, UsageError
+from kinlab.scene.page import LOOPBACK, passed_on
 from kinlab.scene.recording import Recording, load_rerun
 
-LOOPBACK = "127.0.0.1"
 # rerun's own: where a viewer takes data, and where the browser finds its page.
 PORT, PAGE_PORT = 9876, 9090
 
@@ -41,7 +41,8 @@ class View:
         )
 
     @property
-    def _ports(self) -> dict[str, int]:
+    def ports(self) -> dict[str, int]:
+        """By the option that chooses them."""
         return {"--port": self.port} | ({"--page-port": self.page_port} if self.browser else {})
 
 
@@ -59,7 +60,7 @@ def check_viewer(view: View) -> None:
         UsageError: a port that is none, or the same one twice.
         KinlabError: rerun or its program is missing, there is no display, a port is taken.
     """
-    for option, port in view._ports.items():
+    for option, port in view.ports.items():
         if not 1 <= port <= 65535:
             raise UsageError(f"{option} is a number from 1 to 65535, got {port}")
     if view.browser and view.port == view.page_port:
@@ -70,7 +71,7 @@ def check_viewer(view: View) -> None:
         raise KinlabError(
             "there is no display to open a window on; --serve shows it in a browser, --save FILE.rrd keeps it"
         )
-    for option, port in view._ports.items():
+    for option, port in view.ports.items():
         with closing(socket.socket()) as probe:
             probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
             try:
@@ -97,47 +98,57 @@ def program() -> Path:
     )
 
 
-def show(recording: Recording, view: View, tell: Callable[[str], None] = lambda line: None) -> None:
-    """Look at a recording until the window is closed, or Ctrl-C.
-
-    Args:
-        tell: told where it is to be seen.
+@contextmanager
+def viewing(recording: Recording, view: View) -> Iterator["subprocess.Popen[str]"]:
+    """A viewer with a recording in it, closed at the end.
 
     Raises:
-        KinlabError: as `check_viewer`, or the viewer ended with an error.
+        KinlabError: as `check_viewer`.
     """
     check_viewer(view)
-    _keep_quiet()
-    with TemporaryDirectory(prefix="kinlab-") as folder:
-        file = Path(folder, "scene.rrd")
+    decline_reports()
+    with ExitStack() as stack:
+        file = Path(stack.enter_context(TemporaryDirectory(prefix="kinlab-")), "scene.rrd")
         file.write_bytes(recording.data())
         options = ["--bind", LOOPBACK, "--port", str(view.port), "--hide-welcome-screen"]
         if view.browser:
-            options += ["--serve-web", "--web-viewer-port", str(view.page_port)]
-        tell(
-            f"open {view.page}   Ctrl-C ends" if view.browser else "close the window, or press Ctrl-C, to end"
-        )
+            inner = free_port()
+            options += ["--serve-web", "--web-viewer-port", str(inner)]
+            stack.enter_context(passed_on(inner, view.page_port))
         viewer = subprocess.Popen(
-            [program(), str(file), *options], env=_environment(), stdin=subprocess.DEVNULL,
-            stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, errors="replace",
+            [program(), str(file), *options], env={"RUST_LOG": "error", **os.environ}, text=True,
+            errors="replace", stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
         )  # fmt: skip
         try:
-            _, said = viewer.communicate()
-        except KeyboardInterrupt:
+            yield viewer
+        finally:
             viewer.terminate()
-            viewer.wait()
-            return
+            viewer.communicate()
+
+
+def show(recording: Recording, view: View) -> None:
+    """Look at a recording until the window is closed.
+
+    Raises:
+        KinlabError: as `check_viewer`, or the viewer ended with an error.
+        KeyboardInterrupt: on Ctrl-C, with the viewer closed.
+    """
+    with viewing(recording, view) as viewer:
+        _, said = viewer.communicate()
     if viewer.returncode:
         last = (said.strip().splitlines() or ["it says nothing"])[-1]
         raise KinlabError(f"the viewer ended with code {viewer.returncode}: {last}")
 
 
-def _environment() -> dict[str, str]:
-    return {**os.environ, "RUST_LOG": os.environ.get("RUST_LOG", "error")}
+def free_port() -> int:
+    """A port of this machine that nobody uses now."""
+    with closing(socket.socket()) as probe:
+        probe.bind((LOOPBACK, 0))
+        return int(probe.getsockname()[1])
 
 
-def _keep_quiet() -> None:
-    """The viewer reports its use to its makers unless told not to: who has never decided is taken to decline."""
+def decline_reports() -> None:
+    """Decline, where nobody has chosen yet, that the viewer reports its use to its makers; it does unless told."""
     from platformdirs import user_config_path
 
     choice = user_config_path("rerun", appauthor=False, roaming=True) / "analytics.json"
