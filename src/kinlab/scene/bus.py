@@ -2,12 +2,15 @@
 
 from collections.abc import Sequence
 from functools import cache
+from itertools import pairwise
 
 import numpy as np
 
 from kinlab.dynamixel.bus import Passage
 from kinlab.dynamixel.codec.dissect import dissect
+from kinlab.dynamixel.codec.dissection import Dissection
 from kinlab.dynamixel.codec.hextext import show_hex
+from kinlab.dynamixel.codec.instructions import BROADCAST
 from kinlab.dynamixel.codec.packets import Packet
 from kinlab.dynamixel.tables import load_table
 from kinlab.robots import Robot
@@ -33,12 +36,7 @@ def log_packets(
     @cache
     def told(data: bytes, request: Packet | None, sent: bool) -> tuple[str, bool, Packet | None]:
         found = dissect(data, status=None if sent else True, tables=tables.get, request=request)
-        subject = found.instruction if sent else ", ".join(found.errors) or "answer"
-        said = "; ".join(part.meaning for part in found.fields if part.name in ("address", "data", "error"))
-        wrong = "; ".join(problem.message for problem in found.complaints)
-        who = "all" if found.id == 254 else f"servo {found.id}"
-        arrow = "->" if sent else "<-"
-        text = f"{arrow} {subject} {who}: {wrong or said or 'no data'}   [{show_hex(data)}]"
+        text = f"{'->' if sent else '<-'} {_sentence(found, sent)}   [{show_hex(data)}]"
         return text, found.ok, found.packet if sent else request
 
     request: Packet | None = None
@@ -50,3 +48,19 @@ def log_packets(
         shades.append((colours.SENT if packet.sent else colours.HEARD) if ok else colours.BROKEN)
     rr = recording.rr
     recording.over(path, times, rr.TextLog, text=texts, level=levels, color=np.array(shades, np.uint8))
+
+
+def _sentence(found: Dissection, sent: bool) -> str:
+    """A packet in a line: to or from whom, what for, and the values."""
+    who = "all" if found.id == BROADCAST else f"servo {found.id}"
+    head = f"{found.instruction} {who}" if sent else f"{who} {', '.join(found.errors) or 'ok'}"
+    if not found.ok:
+        return f"{head}: {'; '.join(problem.message for problem in found.complaints)}"
+    said: list[str] = []
+    # Header and id apart: the packet's own id stands in `who`.
+    for before, part in pairwise(found.fields[1:]):
+        if part.name == "data" and before.name == "id":
+            said[-1] += f" {part.meaning}"
+        elif part.name in ("id", "data", "count"):
+            said.append(part.meaning)
+    return f"{head}: {'; '.join(said)}" if said else head

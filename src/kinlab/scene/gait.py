@@ -47,8 +47,8 @@ def gait_scene(
     _walker(recording, motion, times, axes)
     for i, leg in enumerate(walk.robot.legs):
         names = [f"{leg.name} {joint}" for joint in leg.joint_names]
-        recording.series(f"angles/{leg.name}", times, np.degrees(motion.q[:, i]), names)
-        recording.series(f"speeds/{leg.name}", times, np.degrees(rates[:, i]), names)
+        recording.series("angles/" + recording.part(leg.name), times, np.degrees(motion.q[:, i]), names)
+        recording.series("speeds/" + recording.part(leg.name), times, np.degrees(rates[:, i]), names)
     _stands(recording, stability(motion), times)
     return recording
 
@@ -79,7 +79,8 @@ def walk_scene(result: WalkResult, packets: Sequence[Passage] = ()) -> Recording
     for kind, limbs in curves.items():
         for name, values in limbs.items():
             joints = robot.limbs[name].joint_names
-            recording.series(f"{kind}/{name}", times, values, [f"{name} {joint}" for joint in joints])
+            path = f"{kind}/" + recording.part(name)
+            recording.series(path, times, values, [f"{name} {joint}" for joint in joints])
     recording.series("tracking", times, to_mm(record.errors), [leg.name for leg in wiring.limbs])
     energy = np.array([[sample.energy, sample.power] for sample in record.samples])
     recording.series("energy", times, energy[:, :1], ["energy [Wh]"])

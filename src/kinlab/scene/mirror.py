@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kinlab.errors import KinlabError, UsageError
-from kinlab.robots import Robot
+from kinlab.robots import Limb, Robot
 from kinlab.robots.body import resting
 from kinlab.scene import blueprints
 from kinlab.scene.page import LOOPBACK
@@ -65,6 +65,9 @@ class Mirror:
         self._tree = Tree(self._recording, robot)
         self._tree.draw()
         self._recording.pose(self._tree.body, stood(robot))
+        for limb in robot.limbs.values():
+            names = [f"{limb.name} {joint}" for joint in limb.joint_names]
+            self._recording.still(self._curve(limb), self._recording.rr.SeriesLines(names=names))
         self._began = time.monotonic()
         self.show(resting(robot))
 
@@ -90,10 +93,12 @@ class Mirror:
             limb = self.robot.limb(name)
             row = np.asarray(q, float)[None]
             self._tree.pose(limb, row, now)
-            names = [f"{limb.name} {joint}" for joint in limb.joint_names]
-            self._recording.series("angles/" + limb.name, now, np.degrees(row), names)
+            self._recording.series(self._curve(limb), now, np.degrees(row))
         if body is not None:
             self._recording.pose(self._tree.body, np.asarray(body, float)[None], now)
+
+    def _curve(self, limb: Limb) -> str:
+        return "angles/" + self._recording.part(limb.name)
 
     def close(self) -> None:
         """Send what is left, and let go of the viewer; it keeps what it has."""

@@ -102,9 +102,10 @@ class Recording:
             found.append(self.rr.TimeColumn(PHASE, sequence=times.steps))
         return found
 
-    def series(self, path: str, times: Times, values: Array, names: list[str]) -> None:
-        """Log curves: values (F, k), with their names and units."""
-        self.still(path, self.rr.SeriesLines(names=names))
+    def series(self, path: str, times: Times, values: Array, names: list[str] | None = None) -> None:
+        """Log curves: values (F, k), whose names are logged once; rows that nobody knows are left out."""
+        if names:
+            self.still(path, self.rr.SeriesLines(names=names))
         known = np.asarray(np.isfinite(values).all(axis=-1))
         if known.any():
             rows = values[known]
@@ -124,4 +125,4 @@ class Recording:
 
     def part(self, *names: str) -> str:
         """An entity path: the names of its parts, as people may have chosen them."""
-        return str(self.rr.new_entity_path(list(names)))
+        return str(self.rr.new_entity_path(list(names))).removeprefix("/")
