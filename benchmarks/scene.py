@@ -44,7 +44,7 @@ class RowByRow(Recording):
 
     def __init__(self, name: str) -> None:
         super().__init__(name)
-        self._rows: dict[float, list[tuple[str, Any]]] = defaultdict(list)
+        self._rows: dict[float, list[tuple[str, Any, dict[str, Any]]]] = defaultdict(list)
         self._phases: dict[float, int] = {}
 
     def over(self, path: str, times: Times, kind: Any, each: ArrayLike = 1, **fields: Any) -> None:
@@ -54,7 +54,7 @@ class RowByRow(Recording):
             own = {name: values[first:end] for name, values in fields.items()}
             if kind is self.rr.Transform3D:
                 own = {name: values[0] for name, values in own.items()}
-            self._rows[t].append((path, (kind, own)))
+            self._rows[t].append((path, kind, own))
         if times.steps is not None:
             self._phases.update(zip(times.t.tolist(), times.steps.tolist(), strict=True))
 
@@ -63,7 +63,7 @@ class RowByRow(Recording):
         for t in sorted(self._rows):
             self.stream.set_time(TIME, duration=t)
             self.stream.set_time(PHASE, sequence=self._phases[t])
-            for path, (kind, fields) in self._rows[t]:
+            for path, kind, fields in self._rows[t]:
                 self.stream.log(path, kind(**fields))
 
 

@@ -15,6 +15,7 @@ from kinlab.robots.body import resting
 from kinlab.robots.target import solve_target
 from kinlab.robots.workspace import reached
 from kinlab.scene import Recording, arm_scene, gait_scene, robot_scene, target_scene, walk_scene
+from kinlab.scene.recording import Live
 from kinlab.scene.tree import stood
 from kinlab.scene.viewer import program
 
@@ -242,22 +243,10 @@ def test_rerun_itself_finds_nothing_wrong_with_the_files(tmp_path, read_back, wa
 
 
 def test_the_same_scene_by_rows_and_by_columns_holds_the_same(read_back):
-    class Rows(Recording):
-        """Logs each row by itself."""
-
-        def over(self, path, times, kind, each=1, **fields):
-            ends = np.cumsum(np.broadcast_to(each, times.t.shape))
-            for row, end in enumerate(ends):
-                own = {k: v[end - 1 if kind is self.rr.Transform3D else slice(ends[row - 1] if row else 0, end)]
-                       for k, v in fields.items()}  # fmt: skip
-                self.stream.set_time("time", duration=times.t[row])
-                self.stream.set_time("phase", sequence=times.steps[row])
-                self.stream.log(path, kind(**own))
-
     robot = load_robot("xl430-hexapod")
     walk = plan(robot, find_gait(robot))
     by_columns, by_rows = (read_back(gait_scene(walk, frames=8, cycles=1, into=into))
-                           for into in (None, Rows("rows")))  # fmt: skip
+                           for into in (None, Live("rows")))  # fmt: skip
     assert by_columns.columns == by_rows.columns
 
 

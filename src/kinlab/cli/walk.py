@@ -178,21 +178,21 @@ def _one(
     samples: list[Any] = []
     throttle = Throttle(errand)
     show = Panel(errand, throttle) if live else progress([errand])
-    mirrored = nullcontext(lambda sample: None) if mirror is None else _mirrored(errand, mirror)
-    rig = Rig.open(errand.order.robot, port, baud, clock=RealClock() if live else None)
-    if packets is not None:
-        rig.bus.tap = packets.append
-    # An unfinished walk leaves the torque off: the rig's own `with` sees to it.
-    try:
-        with suppress(KeyboardInterrupt), mirrored as reflect, rig, show as tell:
-            for sample in walk_on(rig, errand, lambda: throttle.tempo):
-                samples.append(sample)
-                tell(errand, sample)
-                reflect(sample)
-                if throttle.stopped:
-                    break
-    finally:
-        _warn(rig)
+    with nullcontext(lambda sample: None) if mirror is None else _mirrored(errand, mirror) as reflect:
+        rig = Rig.open(errand.order.robot, port, baud, clock=RealClock() if live else None)
+        if packets is not None:
+            rig.bus.tap = packets.append
+        # An unfinished walk leaves the torque off: the rig's own `with` sees to it.
+        try:
+            with suppress(KeyboardInterrupt), rig, show as tell:
+                for sample in walk_on(rig, errand, lambda: throttle.tempo):
+                    samples.append(sample)
+                    tell(errand, sample)
+                    reflect(sample)
+                    if throttle.stopped:
+                        break
+        finally:
+            _warn(rig)
     if not samples:
         raise KeyboardInterrupt
     return WalkResult.of(errand, Record(rig.wiring, samples), rig)
@@ -201,17 +201,25 @@ def _one(
 @contextmanager
 def _mirrored(errand: "Errand", address: str) -> Iterator[Callable[["Sample"], None]]:
     """A function that shows every tick in a viewer."""
+    from kinlab.errors import KinlabError
     from kinlab.rig.wiring import Wiring
     from kinlab.scene import Mirror
 
     walk = errand.walk
     wiring = Wiring.of(walk.robot, walk.robot.legs)
-    with Mirror(walk.robot, address) as mirror:
+    mirror = Mirror(walk.robot, address)
 
-        def show(sample: "Sample") -> None:
-            mirror.show(wiring.by_limb(sample.reading.q), walk.at(sample.way).body, sample.t)
+    def show(sample: "Sample") -> None:
+        mirror.show(wiring.by_limb(sample.reading.q), walk.at(sample.way).body, sample.t)
 
+    try:
         yield show
+    finally:
+        # A viewer that was closed meanwhile does not undo the walk.
+        try:
+            mirror.close()
+        except KinlabError as error:
+            typer.echo(f"kinlab: {error}", err=True)
 
 
 def _walked(

@@ -14,7 +14,7 @@ from kinlab.robots import Limb, Robot
 from kinlab.robots.body import resting
 from kinlab.scene import blueprints
 from kinlab.scene.page import LOOPBACK
-from kinlab.scene.recording import Recording, Times
+from kinlab.scene.recording import Live, Times
 from kinlab.scene.tree import Tree, stood
 from kinlab.scene.viewer import PORT
 
@@ -52,7 +52,7 @@ class Mirror:
         if host not in (LOOPBACK, "localhost"):
             raise UsageError(f"a robot is mirrored on this machine, {LOOPBACK}, not on {host}")
         self.robot, self.address = robot, f"rerun+http://{LOOPBACK}:{port}/proxy"
-        self._recording = Recording(f"{robot.name} live {time.time_ns()}")
+        self._recording = Live(f"{robot.name} live {time.time_ns()}")
         try:
             socket.create_connection((LOOPBACK, port), timeout=PATIENCE).close()
         except OSError as error:

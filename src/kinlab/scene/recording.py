@@ -1,5 +1,6 @@
 """A recording: what stands still, and what changes over time, column by column."""
 
+import os
 from dataclasses import dataclass
 from typing import Any
 
@@ -22,6 +23,9 @@ def load_rerun() -> Any:
     Raises:
         KinlabError: it is not installed.
     """
+    # What goes wrong we say ourselves; what rerun would say about it is for its makers.
+    chosen = os.environ.get("RUST_LOG")
+    os.environ["RUST_LOG"] = chosen or "off"
     try:
         import rerun
         import rerun.blueprint
@@ -29,6 +33,9 @@ def load_rerun() -> Any:
         raise KinlabError(
             "rerun is not installed: it is the extra `view`, half a gigabyte; pip install 'kinlab[view]'"
         ) from None
+    finally:
+        if chosen is None:
+            del os.environ["RUST_LOG"]
     return rerun
 
 
@@ -126,3 +133,21 @@ class Recording:
     def part(self, *names: str) -> str:
         """An entity path: the names of its parts, as people may have chosen them."""
         return str(self.rr.new_entity_path(list(names))).removeprefix("/")
+
+
+class Live(Recording):
+    """A recording that logs row by row: for what happens now, where a column would be one row long."""
+
+    def over(self, path: str, times: Times, kind: Any, each: ArrayLike = 1, **fields: Any) -> None:
+        """Log an archetype once for each time; see `Recording.over`."""
+        ends = np.cumsum(np.broadcast_to(each, times.t.shape)).tolist()
+        steps = times.steps
+        for row, (t, end) in enumerate(zip(times.t.tolist(), ends, strict=True)):
+            first = ends[row - 1] if row else 0
+            self.stream.set_time(TIME, duration=t)
+            if steps is not None:
+                self.stream.set_time(PHASE, sequence=int(steps[row]))
+            own = {name: values[first:end] for name, values in fields.items()}
+            if kind is self.rr.Transform3D:
+                own = {name: values[0] for name, values in own.items()}
+            self.stream.log(path, kind(**own))

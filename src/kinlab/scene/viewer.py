@@ -99,45 +99,50 @@ def program() -> Path:
 
 
 @contextmanager
-def viewing(recording: Recording, view: View) -> Iterator["subprocess.Popen[str]"]:
+def viewing(recording: Recording, view: View) -> Iterator["subprocess.Popen[bytes]"]:
     """A viewer with a recording in it, closed at the end.
 
     Raises:
-        KinlabError: as `check_viewer`.
+        KinlabError: as `check_viewer`, or the viewer has ended with an error.
     """
     check_viewer(view)
     decline_reports()
     with ExitStack() as stack:
-        file = Path(stack.enter_context(TemporaryDirectory(prefix="kinlab-")), "scene.rrd")
+        folder = Path(stack.enter_context(TemporaryDirectory(prefix="kinlab-")))
+        file, complaints = folder / "scene.rrd", folder / "complaints"
         file.write_bytes(recording.data())
         options = ["--bind", LOOPBACK, "--port", str(view.port), "--hide-welcome-screen"]
         if view.browser:
             inner = free_port()
             options += ["--serve-web", "--web-viewer-port", str(inner)]
             stack.enter_context(passed_on(inner, view.page_port))
-        viewer = subprocess.Popen(
-            [program(), str(file), *options], env={"RUST_LOG": "error", **os.environ}, text=True,
-            errors="replace", stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
-        )  # fmt: skip
+        with complaints.open("wb") as said:
+            viewer = subprocess.Popen(
+                [program(), file, *options], env={"RUST_LOG": "error", **os.environ},
+                stdin=subprocess.DEVNULL, stdout=said, stderr=said,
+            )  # fmt: skip
         try:
             yield viewer
         finally:
+            ended = viewer.poll()
             viewer.terminate()
-            viewer.communicate()
+            viewer.wait()
+        if ended:
+            lines = [line for line in complaints.read_text(errors="replace").splitlines() if line.strip()]
+            raise KinlabError(
+                f"the viewer ended with code {ended}: {lines[-1] if lines else 'no reason given'}"
+            )
 
 
 def show(recording: Recording, view: View) -> None:
-    """Look at a recording until the window is closed.
+    """Look at a recording until the viewer is closed.
 
     Raises:
-        KinlabError: as `check_viewer`, or the viewer ended with an error.
+        KinlabError: as `viewing`.
         KeyboardInterrupt: on Ctrl-C, with the viewer closed.
     """
     with viewing(recording, view) as viewer:
-        _, said = viewer.communicate()
-    if viewer.returncode:
-        last = (said.strip().splitlines() or ["it says nothing"])[-1]
-        raise KinlabError(f"the viewer ended with code {viewer.returncode}: {last}")
+        viewer.wait()
 
 
 def free_port() -> int:
