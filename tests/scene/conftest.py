@@ -86,3 +86,9 @@ def read_back(tmp_path) -> Callable[[Recording], ReadBack]:
         return ReadBack(path)
 
     return read
+
+
+@pytest.fixture
+def read_file() -> type[ReadBack]:
+    """Read a file that somebody else wrote."""
+    return ReadBack

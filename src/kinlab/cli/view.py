@@ -77,7 +77,7 @@ def view(
 
     from kinlab.errors import UsageError
     from kinlab.robots import load_robot
-    from kinlab.scene import View, check_viewer, show
+    from kinlab.scene import View, check_viewer, viewing
 
     asked = [
         name for name, value in (("--target", target), ("--gait", gait), ("--arm", arm)) if value is not None
@@ -105,12 +105,10 @@ def view(
         recording = robot_scene(machine, which, frames=frames, workspace=workspace)
     write_rrd(save, force, lambda: recording)
     if how:
-        where = (
-            f"open {how.page}   Ctrl-C ends" if serve else "closing its window, or Ctrl-C, ends the viewer"
-        )
-        typer.echo(f"kinlab: {where}", err=True)
-        with suppress(KeyboardInterrupt):
-            show(recording, how)
+        with suppress(KeyboardInterrupt), viewing(recording, how) as viewer:
+            where = f"open {how.page}   Ctrl-C ends" if serve else "close the window, or press Ctrl-C, to end"
+            typer.echo(f"kinlab: {where}", err=True)
+            viewer.wait()
     if not reached:
         raise typer.Exit(1)
 

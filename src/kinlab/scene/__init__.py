@@ -13,7 +13,7 @@ from kinlab.scene.leg import robot_scene, target_scene
 from kinlab.scene.mirror import Mirror
 from kinlab.scene.recording import Recording, load_rerun
 from kinlab.scene.saving import check_new, save
-from kinlab.scene.viewer import View, check_viewer, show
+from kinlab.scene.viewer import View, check_viewer, viewing
 
 __all__ = [
     "Mirror",
@@ -26,7 +26,7 @@ __all__ = [
     "load_rerun",
     "robot_scene",
     "save",
-    "show",
     "target_scene",
+    "viewing",
     "walk_scene",
 ]

@@ -5,7 +5,7 @@ The page asks for fonts and news, and reports its use, unless it is told to reac
 
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import closing, contextmanager, suppress
 from http.client import HTTPConnection, HTTPResponse
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from threading import Thread
@@ -26,22 +26,22 @@ def passed_on(behind: int, port: int) -> Iterator[None]:
 
     class Handler(BaseHTTPRequestHandler):
         def do_GET(self) -> None:
-            try:
-                answer = _asked(behind, self.path)
-            except OSError as error:
-                self.send_error(502, f"the viewer does not answer: {error}")
-                return
-            self.send_response(answer.status)
-            for name in PASSED:
-                if value := answer.getheader(name):
-                    self.send_header(name, value)
-            self.send_header("Content-Security-Policy", POLICY)
-            self.end_headers()
-            try:
-                while piece := answer.read(PIECE):
-                    self.wfile.write(piece)
-            except ConnectionError:
-                pass  # The browser went away.
+            with closing(HTTPConnection(LOOPBACK, behind, timeout=STARTING)) as connection:
+                try:
+                    answer = _asked(connection, self.path)
+                except OSError as error:
+                    self.send_error(502, f"the viewer does not answer: {error}")
+                    return
+                self.send_response(answer.status)
+                for name in PASSED:
+                    if value := answer.getheader(name):
+                        self.send_header(name, value)
+                self.send_header("Content-Security-Policy", POLICY)
+                self.end_headers()
+                # The browser may go away at any time.
+                with suppress(ConnectionError):
+                    while piece := answer.read(PIECE):
+                        self.wfile.write(piece)
 
         def log_message(self, format: str, *args: object) -> None:  # noqa: A002
             """Nothing: the page is for one person, who sees it."""
@@ -56,15 +56,15 @@ def passed_on(behind: int, port: int) -> Iterator[None]:
         server.server_close()
 
 
-def _asked(port: int, path: str) -> HTTPResponse:
+def _asked(connection: HTTPConnection, path: str) -> HTTPResponse:
     """The answer of the server behind, which may just be starting."""
     deadline = time.monotonic() + STARTING
     while True:
-        connection = HTTPConnection(LOOPBACK, port, timeout=STARTING)
         try:
             connection.request("GET", path)
             return connection.getresponse()
         except ConnectionRefusedError:
+            connection.close()
             if time.monotonic() > deadline:
                 raise
             time.sleep(AGAIN)

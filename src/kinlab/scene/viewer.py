@@ -100,7 +100,7 @@ def program() -> Path:
 
 @contextmanager
 def viewing(recording: Recording, view: View) -> Iterator["subprocess.Popen[bytes]"]:
-    """A viewer with a recording in it, closed at the end.
+    """A viewer with a recording in it, closed at the end; its page answers at once.
 
     Raises:
         KinlabError: as `check_viewer`, or the viewer has ended with an error.
@@ -132,17 +132,6 @@ def viewing(recording: Recording, view: View) -> Iterator["subprocess.Popen[byte
             raise KinlabError(
                 f"the viewer ended with code {ended}: {lines[-1] if lines else 'no reason given'}"
             )
-
-
-def show(recording: Recording, view: View) -> None:
-    """Look at a recording until the viewer is closed.
-
-    Raises:
-        KinlabError: as `viewing`.
-        KeyboardInterrupt: on Ctrl-C, with the viewer closed.
-    """
-    with viewing(recording, view) as viewer:
-        viewer.wait()
 
 
 def free_port() -> int:
