@@ -87,7 +87,7 @@ def logged(kind: type[RowByRow] | type[Columns], name: str) -> tuple[float, int]
     """How long it takes to log a walk and to write its file, s, and the file's size, bytes."""
     robot = load_robot("krsri-hexapod")
     recording = kind(name)
-    gait_scene(plan(robot, find_gait(robot, "wave")), frames=FRAMES, cycles=CYCLES, into=recording)
+    gait_scene(plan(robot, find_gait(robot, "wave")), each=FRAMES, cycles=CYCLES, into=recording)
     size = 0
 
     def work() -> None:

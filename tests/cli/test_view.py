@@ -50,6 +50,13 @@ def test_every_subject_can_be_saved(kinlab, tmp_path, subject):
     assert whole(tmp_path / "a.rrd")
 
 
+def test_what_was_saved_is_told_to_programs(kinlab, tmp_path):
+    path = tmp_path / "a.rrd"
+    run = kinlab("view", "xl430", "--gait", "tripod", "--save", path, "--json")
+    found = {"robot": "xl430-hexapod", "subject": "gait", "file": str(path), "page": None}
+    assert run.json == found | {"bytes": path.stat().st_size}
+
+
 def test_without_a_display_and_without_a_switch_it_says_what_can_be_done(kinlab):
     run = kinlab("view", "krsri")
     assert run.code == 1
@@ -64,6 +71,8 @@ def test_without_a_display_and_without_a_switch_it_says_what_can_be_done(kinlab)
         (("--spawn", "--serve"), "ask for one of them"),
         (("--force", "--serve"), "--force is for --save"),
         (("--gait", "wave", "--cycles", 0, "--save", "a.rrd"), "--cycles is a number from 1 to 100"),
+        (("--gait", "wave", "--workspace"), "--workspace says nothing about --gait"),
+        (("--speed", 30), "--speed says nothing about a robot that stands"),
         (("--gait", "wav3", "--save", "a.rrd"), "did you mean wave"),
         (("--arm", "track", "--save", "a.rrd"), "not of krsri-hexapod"),
         (("--target", 1, 2, "nan", "--save", "a.rrd"), "must be finite"),

@@ -14,8 +14,8 @@ from kinlab.robots import load_robot
 from kinlab.robots.body import resting
 from kinlab.robots.target import solve_target
 from kinlab.robots.workspace import reached
-from kinlab.scene import Recording, arm_scene, gait_scene, robot_scene, target_scene, walk_scene
-from kinlab.scene.recording import Live
+from kinlab.scene import arm_scene, gait_scene, robot_scene, target_scene, walk_scene
+from kinlab.scene.recording import Live, part
 from kinlab.scene.tree import stood
 from kinlab.scene.viewer import program
 
@@ -44,13 +44,13 @@ def test_every_limb_of_a_resting_robot_is_where_forward_kinematics_puts_it(name,
         np.testing.assert_allclose(found.pose(entity(limb))[0, :3, 3], T[:3, 3] * 1000, atol=CLOSE)
         np.testing.assert_allclose(found.pose(entity(limb))[0, :3, :3], T[:3, :3], atol=1e-5)
         parts = [f"/world/body/{limb.name}/" + "/".join(limb.joint_names[: i + 1]) for i in range(3)]
-        for joint, part in zip(limb.joints, parts, strict=False):
-            arrow = np.array(found.values(f"{part}/axis", "vectors")[0][0])
+        for joint, at in zip(limb.joints, parts, strict=False):
+            arrow = np.array(found.values(f"{at}/axis", "vectors")[0][0])
             np.testing.assert_allclose(arrow / np.linalg.norm(arrow), joint.axis, atol=1e-6)
-            assert "axis_length" in found.columns[part]
+            assert "axis_length" in found.columns[at]
             if any(joint.link):
-                assert found.values(f"{part}/link", "labels") == [[joint.name]]
-                length = found.values(f"{part}/link", "lengths")[0][0]
+                assert found.values(f"{at}/link", "labels") == [[joint.name]]
+                length = found.values(f"{at}/link", "lengths")[0][0]
                 assert length == pytest.approx(1000 * np.linalg.norm(joint.link), rel=1e-6)
     assert found.timelines == set()
     assert found.blueprints == 1
@@ -60,7 +60,7 @@ def test_every_limb_of_a_resting_robot_is_where_forward_kinematics_puts_it(name,
 def test_a_gait_has_every_foot_joint_and_margin_of_every_frame(name, gait, read_back):
     robot = load_robot(name)
     walk = plan(robot, find_gait(robot, gait))
-    found = read_back(gait_scene(walk, frames=20, cycles=2))
+    found = read_back(gait_scene(walk, each=20, cycles=2))
     t = np.arange(41) / 20 * walk.period
     motion, state = walk.at(t), stability(walk.at(t))
     assert found.timelines == {"time", "phase"}
@@ -90,7 +90,7 @@ def test_a_gait_has_every_foot_joint_and_margin_of_every_frame(name, gait, read_
 def test_the_support_polygon_is_spanned_by_the_standing_feet_and_the_mass_is_over_it(read_back):
     robot = load_robot("krsri-hexapod")
     walk = plan(robot, find_gait(robot, "tripod"), turn=0.1)
-    found = read_back(gait_scene(walk, frames=20, cycles=1))
+    found = read_back(gait_scene(walk, each=20, cycles=1))
     t = np.arange(21) / 20 * walk.period
     motion = walk.at(t)
     strips = found.columns["/world/support"]["strips"]
@@ -245,10 +245,10 @@ def test_rerun_itself_finds_nothing_wrong_with_the_files(tmp_path, read_back, wa
 def test_the_same_scene_by_rows_and_by_columns_holds_the_same(read_back):
     robot = load_robot("xl430-hexapod")
     walk = plan(robot, find_gait(robot))
-    by_columns, by_rows = (read_back(gait_scene(walk, frames=8, cycles=1, into=into))
+    by_columns, by_rows = (read_back(gait_scene(walk, each=8, cycles=1, into=into))
                            for into in (None, Live("rows")))  # fmt: skip
     assert by_columns.columns == by_rows.columns
 
 
 def test_names_with_blanks_and_slashes_are_one_part_of_a_path():
-    assert Recording("x").part("front left", "a/b") == "front\\ left/a\\/b"
+    assert part("front left", "a/b") == "front\\ left/a\\/b"

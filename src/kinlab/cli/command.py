@@ -147,13 +147,15 @@ def check_rrd(path: Path | None, force: bool, option: str = "--rrd") -> None:
         raise UsageError(f"--force is for {option}: there is no file to replace")
 
 
-def write_rrd(path: Path | None, force: bool, scene: "Callable[[], Recording]") -> None:
-    """Write a recording where one is asked for, and say how to look at it."""
-    if path:
-        from kinlab.scene import save
+def write_rrd(path: Path | None, force: bool, scene: "Callable[[], Recording]") -> int | None:
+    """Write a recording where one is asked for, and say how to look at it; its size in bytes."""
+    if path is None:
+        return None
+    from kinlab.scene import save
 
-        size = save(scene(), path, force)
-        typer.echo(f"kinlab: {path}: {size / 1000:.0f} kB; look at it with: rerun {path}", err=True)
+    size = save(scene(), path, force)
+    typer.echo(f"kinlab: {path}: {size / 1000:.0f} kB; look at it with: rerun {path}", err=True)
+    return size
 
 
 def print_json(document: Any) -> None:

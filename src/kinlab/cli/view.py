@@ -8,6 +8,7 @@ import typer
 from kinlab.cli.command import (
     ForceOption,
     FrameOption,
+    JsonOption,
     LimbOption,
     NumericCommand,
     RobotArgument,
@@ -16,12 +17,15 @@ from kinlab.cli.command import (
     TurnOption,
     check_rrd,
     command_app,
+    print_json,
     write_rrd,
 )
 
 if TYPE_CHECKING:
     from kinlab.robots import Robot
     from kinlab.scene import Recording
+
+SPEED, CYCLES = 20.0, 3
 
 app = command_app()
 
@@ -41,9 +45,9 @@ def view(
     gait: Annotated[
         str | None, typer.Option("--gait", "-g", metavar="NAME", help="A gait of its kind.")
     ] = None,
-    speed: SpeedOption = 20.0,
+    speed: SpeedOption = SPEED,
     turn: TurnOption = 0.0,
-    cycles: Annotated[int, typer.Option(metavar="N", help="Of the gait.")] = 3,
+    cycles: Annotated[int, typer.Option(metavar="N", help="Of the gait.")] = CYCLES,
     arm: Annotated[
         str | None,
         typer.Option(metavar="EXPERIMENT", help="One of `kinlab arm`: track, comply or observe."),
@@ -67,6 +71,7 @@ def view(
     ] = 9876,
     page_port: Annotated[int, typer.Option(help="Of the page of --serve.")] = 9090,
     robots: RobotsOption = None,
+    json: JsonOption = False,
 ) -> None:
     """See it in 3-D: a robot, a target, a gait or an experiment, in rerun.
 
@@ -79,11 +84,18 @@ def view(
     from kinlab.robots import load_robot
     from kinlab.scene import View, check_viewer, viewing
 
-    asked = [
-        name for name, value in (("--target", target), ("--gait", gait), ("--arm", arm)) if value is not None
-    ]
-    if len(asked) > 1:
-        raise UsageError(f"{' and '.join(asked)} are pictures of their own: ask for one of them")
+    subject = _subject({"--target": target, "--gait": gait, "--arm": arm})
+    for option, given, subjects in (
+        ("--limb", limb, ("", "--target", "--arm")),
+        ("--workspace", workspace, ("", "--target")),
+        ("--frame", frame != "limb", ("--target",)),
+        ("--unit", unit != "mm", ("--target",)),
+        ("--speed", speed != SPEED, ("--gait",)),
+        ("--turn", turn, ("--gait",)),
+        ("--cycles", cycles != CYCLES, ("--gait",)),
+    ):
+        if given and subject not in subjects:
+            raise UsageError(f"{option} says nothing about {subject or 'a robot that stands'}")
     if spawn and serve:
         raise UsageError("--spawn opens a window, --serve a page: ask for one of them")
     how = View(serve, port, page_port) if spawn or serve or not save else None
@@ -97,13 +109,18 @@ def view(
     elif gait is not None:
         recording = _gait(machine, gait, speed, turn, cycles, frames, robots)
     elif arm is not None:
-        recording = _experiment(machine, limb, arm)
+        recording = _experiment(machine, limb, arm, frames)
     else:
         from kinlab.scene import robot_scene
 
         which = machine.limb(limb) if limb else None
         recording = robot_scene(machine, which, frames=frames, workspace=workspace)
-    write_rrd(save, force, lambda: recording)
+    size = write_rrd(save, force, lambda: recording)
+    if json:
+        page = how.page if how and serve else None
+        file = None if save is None else str(save)
+        what = subject.removeprefix("--") or "robot"
+        print_json({"robot": machine.name, "subject": what, "file": file, "bytes": size, "page": page})
     if how:
         with suppress(KeyboardInterrupt), viewing(recording, how) as viewer:
             where = f"open {how.page}   Ctrl-C ends" if serve else "close the window, or press Ctrl-C, to end"
@@ -111,6 +128,16 @@ def view(
             viewer.wait()
     if not reached:
         raise typer.Exit(1)
+
+
+def _subject(asked: dict[str, Any]) -> str:
+    """The one option of `asked` that is given; "" where none is."""
+    from kinlab.errors import UsageError
+
+    given = [option for option, value in asked.items() if value is not None]
+    if len(given) > 1:
+        raise UsageError(f"{' and '.join(given)} are pictures of their own: ask for one of them")
+    return given[0] if given else ""
 
 
 def _target(
@@ -142,14 +169,14 @@ def _gait(
         raise UsageError(f"--cycles is a number from 1 to 100, got {cycles}")
     walk = plan(machine, find_gait(machine, name, robots), forward=speed / 1000, turn=float(np.radians(turn)))
     assess(walk)
-    return gait_scene(walk, cycles=cycles, axes=frames)
+    return gait_scene(walk, cycles=cycles, frames=frames)
 
 
-def _experiment(machine: "Robot", limb: str | None, name: str) -> "Recording":
+def _experiment(machine: "Robot", limb: str | None, name: str, frames: bool) -> "Recording":
     from kinlab.errors import UsageError
     from kinlab.papers.receptionist_experiments import experiment
     from kinlab.scene import arm_scene
 
     if machine.paper != "receptionist-arm":
         raise UsageError(f"--arm shows the experiments of the receptionist-arm, not of {machine.name}")
-    return arm_scene(machine, experiment(machine, machine.limb(limb), name))
+    return arm_scene(machine, experiment(machine, machine.limb(limb), name), frames=frames)

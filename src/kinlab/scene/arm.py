@@ -9,7 +9,7 @@ from kinlab.robots import Robot
 from kinlab.robots.body import resting
 from kinlab.scene import blueprints, colours
 from kinlab.scene.bus import BUS, log_packets
-from kinlab.scene.recording import Recording, Times
+from kinlab.scene.recording import Recording, Times, part
 from kinlab.scene.tree import WORLD, Tree, stood
 from kinlab.units import to_mm
 
@@ -17,15 +17,19 @@ from kinlab.units import to_mm
 MM_PER_NEWTON = 15.0
 
 
-def arm_scene(robot: Robot, outcome: Outcome) -> Recording:
-    """An experiment, each of its runs with entities of its own."""
+def arm_scene(robot: Robot, outcome: Outcome, *, frames: bool = False) -> Recording:
+    """An experiment, each of its runs with entities of its own.
+
+    Args:
+        frames: every frame of the robot as three arrows.
+    """
     recording = Recording(f"{robot.name} {outcome.title}")
     recording.keep()
     packets = any(record.packets for record in outcome.runs.values())
     places = {name: _places(record) for name, record in outcome.runs.items()}
     recording.stream.send_blueprint(blueprints.arm(places, packets))
     for name, record in outcome.runs.items():
-        _run(recording, robot, name, record)
+        _run(recording, robot, name, record, frames)
     return recording
 
 
@@ -35,11 +39,11 @@ def _places(record: Record) -> Array:
     return record.limb.from_limb(frames, "body").reshape(-1, 3)
 
 
-def _run(recording: Recording, robot: Robot, name: str, record: Record) -> None:
+def _run(recording: Recording, robot: Robot, name: str, record: Record, frames: bool) -> None:
     rr, limb = recording.rr, record.limb
     times, real, command = Times(record.t), record.angles["real"], record.angles["command"]
     tree = Tree(recording, robot, f"{name}/{WORLD}")
-    tree.draw(limb)
+    tree.draw(limb, frames)
     recording.pose(tree.body, stood(robot))
     tree.poses({other: q for other, q in resting(robot).items() if other != limb.name})
     tree.pose(limb, real, times)
@@ -87,5 +91,5 @@ def _curves(recording: Recording, name: str, record: Record, times: Times) -> No
         known = {kind: values for kind, values in kinds.items() if np.isfinite(values).all()}
         for j, joint in enumerate(joints):
             values = np.stack([scale * v[:, j] for v in known.values()], axis=-1)
-            path = f"{name}/{group}/" + recording.part(joint)
+            path = f"{name}/{group}/" + part(joint)
             recording.series(path, times, values, [f"{joint} {kind}" for kind in known])

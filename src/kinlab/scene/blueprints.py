@@ -8,7 +8,7 @@ from kinlab.kinematics.transforms import Array
 from kinlab.robots import Robot
 from kinlab.robots.body import resting
 from kinlab.scene.bus import BUS
-from kinlab.scene.recording import TIME, load_rerun
+from kinlab.scene.recording import TIME, load_rerun, part
 from kinlab.scene.tree import WORLD, stood
 from kinlab.units import to_mm
 
@@ -122,7 +122,7 @@ def walk(robot: Robot, body: Array, packets: bool) -> Any:
 
 
 def _walking(robot: Robot, body: Array) -> Any:
-    trails = tuple(f"/{WORLD}/trails/{leg.name}" for leg in robot.legs)
+    trails = tuple(f"/{WORLD}/trails/{part(leg.name)}" for leg in robot.legs)
     return _space(_walked(robot, body), robot.name, growing=trails)
 
 

@@ -14,41 +14,41 @@ from kinlab.rig import WalkResult
 from kinlab.robots.body import resting
 from kinlab.scene import blueprints, colours
 from kinlab.scene.bus import log_packets
-from kinlab.scene.recording import Recording, Times
+from kinlab.scene.recording import Recording, Times, part
 from kinlab.scene.tree import WORLD, Tree
 from kinlab.units import to_mm
 
-# Frames of a cycle, and cycles of a gait.
+# Instants of a cycle, and cycles of a gait.
 FRAMES, CYCLES = 100, 3
 
 
 def gait_scene(
     walk: Walk,
     *,
-    frames: int = FRAMES,
+    each: int = FRAMES,
     cycles: int = CYCLES,
-    axes: bool = False,
+    frames: bool = False,
     into: Recording | None = None,
 ) -> Recording:
     """A gait as it is planned: cycles of a walk that goes on for ever.
 
     Args:
-        frames: of each cycle.
-        cycles: how many.
-        axes: every frame of the robot as three arrows.
+        each: how many instants of each cycle.
+        cycles: how many of these.
+        frames: every frame of the robot as three arrows.
         into: a recording to fill; a new one where not given.
     """
-    t = np.arange(frames * cycles + 1) / frames * walk.period
+    t = np.arange(each * cycles + 1) / each * walk.period
     motion, rates = walk.at(t), joint_rates(walk, t)
     recording = into or Recording(f"{walk.robot.name} {walk.gait.name}")
     recording.keep()
     recording.stream.send_blueprint(blueprints.gait(walk.robot, motion.body))
     times = Times(t, walk.phase(t))
-    _walker(recording, motion, times, axes)
+    _walker(recording, motion, times, frames)
     for i, leg in enumerate(walk.robot.legs):
         names = [f"{leg.name} {joint}" for joint in leg.joint_names]
-        recording.series("angles/" + recording.part(leg.name), times, np.degrees(motion.q[:, i]), names)
-        recording.series("speeds/" + recording.part(leg.name), times, np.degrees(rates[:, i]), names)
+        recording.series("angles/" + part(leg.name), times, np.degrees(motion.q[:, i]), names)
+        recording.series("speeds/" + part(leg.name), times, np.degrees(rates[:, i]), names)
     _stands(recording, stability(motion), times)
     return recording
 
@@ -79,7 +79,7 @@ def walk_scene(result: WalkResult, packets: Sequence[Passage] = ()) -> Recording
     for kind, limbs in curves.items():
         for name, values in limbs.items():
             joints = robot.limbs[name].joint_names
-            path = f"{kind}/" + recording.part(name)
+            path = f"{kind}/" + part(name)
             recording.series(path, times, values, [f"{name} {joint}" for joint in joints])
     recording.series("tracking", times, to_mm(record.errors), [leg.name for leg in wiring.limbs])
     energy = np.array([[sample.energy, sample.power] for sample in record.samples])
@@ -92,11 +92,11 @@ def walk_scene(result: WalkResult, packets: Sequence[Passage] = ()) -> Recording
     return recording
 
 
-def _walker(recording: Recording, motion: Motion, times: Times, axes: bool) -> None:
+def _walker(recording: Recording, motion: Motion, times: Times, frames: bool) -> None:
     """The robot and its feet over the ground."""
     robot = motion.walk.robot
     tree = Tree(recording, robot)
-    tree.draw(frames=axes)
+    tree.draw(frames=frames)
     recording.pose(tree.body, motion.body, times)
     still = resting(robot)
     for leg in robot.legs:
@@ -111,7 +111,7 @@ def _walker(recording: Recording, motion: Motion, times: Times, axes: bool) -> N
 def _trail(tree: Tree, name: str, foot: Array, times: Times) -> None:
     """The way of a foot (F, 3), metres, ground frame, piece by piece, so that it grows."""
     rec = tree.recording
-    path = f"{WORLD}/trails/" + rec.part(name)
+    path = f"{WORLD}/trails/" + part(name)
     known = np.asarray(np.isfinite(foot).all(axis=-1))
     foot, times = to_mm(foot[known]), times.at(known)
     if len(foot) > 1:
@@ -144,7 +144,7 @@ def _stands(recording: Recording, state: Stability, times: Times) -> None:
     for i, leg in enumerate(motion.walk.robot.legs):
         down = state.down[:, i]
         changes = np.flatnonzero(np.diff(down, prepend=~down[0]))
-        path = "legs/" + recording.part(leg.name)
+        path = "legs/" + part(leg.name)
         lanes = rr.StateConfiguration(values=["stance", "swing"], colors=[colours.STANCE, colours.SWING])
         recording.still(path, lanes)
         states = ["stance" if down[row] else "swing" for row in changes]

@@ -14,7 +14,7 @@ from kinlab.robots import Limb, Robot
 from kinlab.robots.body import resting
 from kinlab.scene import blueprints
 from kinlab.scene.page import LOOPBACK
-from kinlab.scene.recording import Live, Times
+from kinlab.scene.recording import Live, Times, part
 from kinlab.scene.tree import Tree, stood
 from kinlab.scene.viewer import PORT
 
@@ -98,7 +98,7 @@ class Mirror:
             self._recording.pose(self._tree.body, np.asarray(body, float)[None], now)
 
     def _curve(self, limb: Limb) -> str:
-        return "angles/" + self._recording.part(limb.name)
+        return "angles/" + part(limb.name)
 
     def close(self) -> None:
         """Send what is left, and let go of the viewer; it keeps what it has."""

@@ -39,6 +39,11 @@ def load_rerun() -> Any:
     return rerun
 
 
+def part(*names: str) -> str:
+    """An entity path: the names of its parts, as people may have chosen them."""
+    return str(load_rerun().new_entity_path(list(names))).removeprefix("/")
+
+
 @dataclass(frozen=True, eq=False)
 class Times:
     """When F rows are.
@@ -129,10 +134,6 @@ class Recording:
     def points(self, path: str, places: ArrayLike, **how: Any) -> None:
         """Log places (k, 3), in metres, that stay."""
         self.still(path, self.rr.Points3D(to_mm(np.atleast_2d(places)), **how))
-
-    def part(self, *names: str) -> str:
-        """An entity path: the names of its parts, as people may have chosen them."""
-        return str(self.rr.new_entity_path(list(names))).removeprefix("/")
 
 
 class Live(Recording):

@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike
 from kinlab.kinematics.transforms import Array, homogeneous, quaternion, rotation_vector
 from kinlab.robots import Limb, Robot
 from kinlab.scene import colours
-from kinlab.scene.recording import Recording, Times
+from kinlab.scene.recording import Recording, Times, part
 from kinlab.units import to_mm
 
 WORLD = "world"
@@ -33,14 +33,12 @@ class Tree:
 
     def limb(self, limb: Limb, under: str = "") -> str:
         """The entity of a limb's frame; of its ghost called `under`, where that is given."""
-        return f"{self.body}/" + self.recording.part(*filter(None, (under, limb.name)))
+        return f"{self.body}/" + part(*filter(None, (under, limb.name)))
 
     def joints(self, limb: Limb, under: str = "") -> list[str]:
         """The entities of a limb's joints, from the body to the tip, then that of the tip."""
         names = [*limb.joint_names, "tip"]
-        return [
-            f"{self.limb(limb, under)}/" + self.recording.part(*names[: i + 1]) for i in range(len(names))
-        ]
+        return [f"{self.limb(limb, under)}/" + part(*names[: i + 1]) for i in range(len(names))]
 
     def draw(self, label: Limb | None = None, frames: bool = False) -> None:
         """Log what never changes: geometry and names.
