@@ -11,7 +11,7 @@ from shutil import which
 from time import sleep
 
 from PIL import Image
-from playwright.sync_api import Error, Page, sync_playwright
+from playwright.sync_api import Page, sync_playwright
 
 from kinlab.gait import find_gait, plan
 from kinlab.papers import as_printed
@@ -23,8 +23,8 @@ from kinlab.scene.viewer import free_port, viewing
 
 WIDTH, HEIGHT, BAR = 1200, 640, 36
 COLOURS = 128
-# On the time line at the lower edge.
-HALFWAY = (620, 626)
+# On the time line at the lower edge, and where the mouse points at nothing.
+HALFWAY, BESIDE = (620, 626), (5, 635)
 SOFTWARE = [
     "--use-gl=angle",
     "--use-angle=swiftshader",
@@ -62,19 +62,20 @@ PICTURES: dict[str, Callable[[], Recording]] = {
     "eros": lambda: gait("eros", "four-step"),
     "receptionist-arm": lambda: arm("comply"),
 }
+MOVING = ("krsri-hexapod", "eros", "receptionist-arm")
 
 
 def opened(page: Page, address: str) -> None:
-    """Go to the viewer as soon as it answers, and wait until it has drawn."""
-    for _ in range(LOADED):
-        try:
-            page.goto(address)
-            break
-        except Error:
-            sleep(1)
+    """Go to the viewer, and wait until it has drawn."""
+    page.goto(address)
     page.wait_for_selector("canvas", timeout=LOADED * 1000)
     sleep(DRAWN)
+
+
+def halfway(page: Page) -> None:
+    """Move to the middle of the time line."""
     page.mouse.click(*HALFWAY)
+    page.mouse.move(*BESIDE)
     sleep(1)
 
 
@@ -92,9 +93,11 @@ def main(folder: Path, names: list[str]) -> None:
             with viewing(PICTURES[name](), view):
                 page = browser.new_page(viewport={"width": WIDTH, "height": HEIGHT})
                 opened(page, view.page)
-                small(page.screenshot(timeout=LOADED * 1000)).save(folder / f"{name}.png", optimize=True)
+                if name in MOVING:
+                    halfway(page)
+                file = folder / f"view-{name}.png"
+                small(page.screenshot(timeout=LOADED * 1000)).save(file, optimize=True)
                 page.close()
-            print(folder / f"{name}.png", (folder / f"{name}.png").stat().st_size)  # noqa: T201
         browser.close()
 
 

@@ -118,6 +118,12 @@ def test_answers_are_recorded_beside_being_printed(kinlab, tmp_path, command):
     assert kinlab(*command, "--json", "--rrd", path, "--force").code == plain.code
 
 
+def test_a_walk_too_long_to_be_recorded_is_refused_before_it_begins(kinlab, tmp_path):
+    run = kinlab("walk", "krsri", "--distance", 20_000, "--rrd", tmp_path / "a.rrd")
+    assert run.code == 2
+    assert "at most 6.7 min at 50 commands a second" in run.err
+
+
 def test_one_walk_is_recorded_or_mirrored_and_no_sweep(kinlab, tmp_path):
     for option in (("--rrd", tmp_path / "a.rrd"), ("--mirror", "9876")):
         run = kinlab("walk", "krsri", "--set", "speed", "10:20:5", *option)

@@ -175,6 +175,10 @@ def _one(
     from kinlab.dynamixel import RealClock
     from kinlab.rig import Record, Rig, Throttle, WalkResult, walk_on
 
+    if packets is not None:
+        from kinlab.scene import check_recordable
+
+        check_recordable(errand)
     samples: list[Any] = []
     throttle = Throttle(errand)
     show = Panel(errand, throttle) if live else progress([errand])

@@ -8,7 +8,7 @@ from the beginning, and `phase`, in thousandths of a gait cycle.
 """
 
 from kinlab.scene.arm import arm_scene
-from kinlab.scene.gait import gait_scene, walk_scene
+from kinlab.scene.gait import check_recordable, gait_scene, walk_scene
 from kinlab.scene.leg import robot_scene, target_scene
 from kinlab.scene.mirror import Mirror
 from kinlab.scene.recording import Recording, load_rerun
@@ -21,6 +21,7 @@ __all__ = [
     "View",
     "arm_scene",
     "check_new",
+    "check_recordable",
     "check_viewer",
     "gait_scene",
     "load_rerun",

@@ -35,7 +35,7 @@ def _space(around: Array, name: str, root: str = WORLD, growing: tuple[str, ...]
         end=rrb.TimeRangeBoundary.cursor_relative(seconds=0),
     )
     eye = rrb.EyeControls3D(
-        position=middle + size * np.array([0.75, -0.85, 0.6]), look_target=middle, eye_up=(0, 0, 1)
+        position=middle + size * np.array([0.62, -0.72, 0.5]), look_target=middle, eye_up=(0, 0, 1)
     )
     return rrb.Spatial3DView(
         origin=f"/{root}",

@@ -6,11 +6,12 @@ from dataclasses import replace
 import numpy as np
 
 from kinlab.dynamixel import Passage
+from kinlab.errors import UsageError
 from kinlab.gait import Motion, Walk, stability
 from kinlab.gait.limits import joint_rates
 from kinlab.gait.stability import Stability
 from kinlab.kinematics.transforms import Array
-from kinlab.rig import WalkResult
+from kinlab.rig import Errand, WalkResult
 from kinlab.robots.body import resting
 from kinlab.scene import blueprints, colours
 from kinlab.scene.bus import log_packets
@@ -18,6 +19,8 @@ from kinlab.scene.recording import Recording, Times, part
 from kinlab.scene.tree import WORLD, Tree
 from kinlab.units import to_mm
 
+# Every packet of a walk is kept, some 40 a tick: of so many ticks at most.
+MOST_TICKS = 20_000
 # Instants of a cycle, and cycles of a gait.
 FRAMES, CYCLES = 100, 3
 
@@ -51,6 +54,20 @@ def gait_scene(
         recording.series("speeds/" + part(leg.name), times, np.degrees(rates[:, i]), names)
     _stands(recording, stability(motion), times)
     return recording
+
+
+def check_recordable(errand: Errand) -> None:
+    """Refuse a walk too long to be recorded.
+
+    Raises:
+        UsageError: with the longest that there can be.
+    """
+    rate = errand.order.rate
+    if errand.walk.duration * rate > MOST_TICKS:
+        raise UsageError(
+            f"a recording holds at most {MOST_TICKS / rate / 60:.1f} min at {rate:g} commands a second, and this walk "
+            f"takes {errand.walk.duration / 60:.1f} min"
+        )
 
 
 def walk_scene(result: WalkResult, packets: Sequence[Passage] = ()) -> Recording:
