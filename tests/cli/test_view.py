@@ -200,3 +200,9 @@ def test_the_page_is_served_until_ctrl_c(tmp_path):
     served.send_signal(signal.SIGINT)
     assert served.communicate() == (None, "")
     assert served.returncode == 0
+
+
+def test_tables_of_energy_have_no_picture(kinlab, tmp_path):
+    run = kinlab("gait", "krsri", "--energy", "--rrd", tmp_path / "a.rrd")
+    assert run.code == 2
+    assert "leave --rrd out" in run.err

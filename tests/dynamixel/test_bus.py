@@ -208,3 +208,20 @@ def test_registers_side_by_side_are_written_in_one_packet(bus_of):
     assert (bus.read(5, "goal_position"), bus.read(5, "moving_speed")) == (600, 100)
     with pytest.raises(UsageError, match="goal_position to present_load are not side by side"):
         bus.write_block(5, {goal: 600, load: 0})
+
+
+def test_a_tap_hears_all_that_passes_with_its_time(bus):
+    bus.write(1, "torque_enable", 1)
+    heard = []
+    bus.tap = heard.append
+    began = bus.port.clock.now()
+    bus.read(1, "present_position")
+    bus.sync_write("goal_position", {1: 512})
+    bus.tap = None
+    bus.read(1, "present_position")
+    assert [(p.sent, len(p.data)) for p in heard] == [(True, 8), (False, 8), (True, 11)]
+    assert heard[0].data.startswith(bytes.fromhex("FFFF0104"))
+    # At 1 Mbps a byte takes 10 us; the answer waits for the servo's return delay.
+    assert heard[0].at == pytest.approx(began + 80e-6)
+    assert heard[1].at > heard[0].at + 80e-6
+    assert heard[2].at == pytest.approx(heard[1].at + 110e-6)

@@ -1,6 +1,7 @@
 """`kinlab gait`: a gait phase by phase."""
 
 import sys
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
@@ -94,7 +95,7 @@ def gait(
     if frames < 1:
         raise UsageError(f"expected at least 1 frame, got {frames}")
     if energy:
-        _energy(load_robot(robot, robots), json)
+        _energy(load_robot(robot, robots), json, rrd)
         return
     if step and (json or phase is not None):
         raise UsageError("--step shows all phases to a person: it goes with neither --json nor --phase")
@@ -156,10 +157,13 @@ def _scene(walk: "Walk") -> "Recording":
     return gait_scene(walk)
 
 
-def _energy(machine: Any, json: bool) -> None:
+def _energy(machine: Any, json: bool, rrd: Path | None) -> None:
     """The paper's tables of energy and distance, and their model."""
+    from kinlab.errors import UsageError
     from kinlab.papers.energy import energy_of
 
+    if rrd:
+        raise UsageError("--energy shows tables, of which there is no picture in 3-D: leave --rrd out")
     grounds = energy_of(machine)
     if json:
         print_json({"robot": machine.name, "energy": [ground.to_json() for ground in grounds]})
