@@ -10,6 +10,7 @@ import pytest
 from kinlab.cli.commands import COMMANDS
 
 pytest.importorskip("rerun")
+psutil = pytest.importorskip("psutil")
 ROBOTS = ["xl430-hexapod", "krsri-hexapod", "udiebot", "eros", "receptionist-arm"]
 
 
@@ -179,7 +180,8 @@ def test_a_full_disk_leaves_what_was_there(tmp_path):
     assert list(tmp_path.iterdir()) == [path]
 
 
-def test_the_page_is_served_until_ctrl_c(tmp_path):
+@pytest.mark.parametrize("ending", [signal.SIGINT, signal.SIGTERM])
+def test_the_page_is_served_until_it_is_told_to_end(tmp_path, ending):
     from urllib.request import urlopen
 
     from kinlab.scene.viewer import free_port
@@ -197,9 +199,12 @@ def test_the_page_is_served_until_ctrl_c(tmp_path):
     assert said.startswith(f"kinlab: open http://127.0.0.1:{ports[1]}/?url=")
     with urlopen(f"http://127.0.0.1:{ports[1]}/") as page:
         assert page.status == 200
-    served.send_signal(signal.SIGINT)
+    children = psutil.Process(served.pid).children(recursive=True)
+    assert children
+    served.send_signal(ending)
     assert served.communicate() == (None, "")
     assert served.returncode == 0
+    assert not any(child.is_running() for child in children)
 
 
 def test_tables_of_energy_have_no_picture(kinlab, tmp_path):

@@ -21,7 +21,7 @@ from kinlab.scene.viewer import program
 
 pytest.importorskip("rerun")
 # Floats of four bytes along a chain of some hundred millimetres.
-CLOSE = 2e-3
+CLOSE = 2e-4
 WALKERS = [
     ("xl430-hexapod", "tripod"),
     ("krsri-hexapod", "wave"),

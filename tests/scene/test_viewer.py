@@ -9,7 +9,6 @@ import time
 from urllib.request import urlopen
 
 import numpy as np
-import psutil
 import pytest
 
 from kinlab.errors import KinlabError, UsageError
@@ -20,6 +19,7 @@ from kinlab.scene.page import LOOPBACK
 from kinlab.scene.viewer import free_port, program, viewing
 
 pytest.importorskip("rerun")
+psutil = pytest.importorskip("psutil")
 
 
 @pytest.fixture

@@ -78,6 +78,7 @@ def view(
     Without a subject the robot stands. Scrub `time` or `phase`; drag to turn,
     right-drag to move, scroll to come nearer. Needs the extra kinlab[view].
     """
+    import signal
     from contextlib import suppress
 
     from kinlab.errors import UsageError
@@ -122,6 +123,8 @@ def view(
         what = subject.removeprefix("--") or "robot"
         print_json({"robot": machine.name, "subject": what, "file": file, "bytes": size, "page": page})
     if how:
+        # However it is ended, the viewer ends with it.
+        signal.signal(signal.SIGTERM, signal.default_int_handler)
         with suppress(KeyboardInterrupt), viewing(recording, how) as viewer:
             where = f"open {how.page}   Ctrl-C ends" if serve else "close the window, or press Ctrl-C, to end"
             typer.echo(f"kinlab: {where}", err=True)
