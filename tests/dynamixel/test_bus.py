@@ -3,6 +3,7 @@
 import pytest
 
 from kinlab.dynamixel import BusError, DamagedAnswerError, NoAnswerError, PortError, RefusedError, open_port
+from kinlab.dynamixel.bus import Passage, packets
 from kinlab.dynamixel.chain import Burst
 from kinlab.dynamixel.monitor import CsvLog, Monitor
 from kinlab.errors import FileError, UsageError
@@ -225,3 +226,24 @@ def test_a_tap_hears_all_that_passes_with_its_time(bus):
     assert heard[0].at == pytest.approx(began + 80e-6)
     assert heard[1].at > heard[0].at + 80e-6
     assert heard[2].at == pytest.approx(heard[1].at + 110e-6)
+
+
+def test_answers_heard_in_pieces_become_whole_packets(bus):
+    bus.scan()
+    heard = []
+    bus.tap = heard.append
+    bus.read(1, "present_position")
+    bus.sync_write("goal_position", {1: 512})
+    bus.read(2, "present_position")
+    pieces = []
+    for passage in heard:
+        at, sent, data = passage
+        cuts = [data] if sent else [data[:1], data[1:4], data[4:]]
+        pieces += [Passage(at + i * 1e-3, sent, part) for i, part in enumerate(cuts)]
+    whole = list(packets(pieces))
+    assert [(p.sent, p.data) for p in whole] == [(p.sent, p.data) for p in heard]
+    assert whole[1].at == pytest.approx(heard[1].at + 2e-3)
+    # Answers that come in one piece are told apart, and what is none comes as it is.
+    request, answer = heard[0], heard[1]
+    both = list(packets([request, answer._replace(data=answer.data * 2), answer._replace(data=b"\xff\x00")]))
+    assert [p.data for p in both] == [request.data, answer.data, answer.data, b"\xff\x00"]

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from kinlab.dynamixel.bus import packets
 from kinlab.kinematics.transforms import Array
 from kinlab.papers.receptionist_experiments import Outcome
 from kinlab.rig.arm import Push, Record
@@ -25,9 +26,9 @@ def arm_scene(robot: Robot, outcome: Outcome, *, frames: bool = False) -> Record
     """
     recording = Recording(f"{robot.name} {outcome.title}")
     recording.keep()
-    packets = any(record.packets for record in outcome.runs.values())
+    talked = any(record.packets for record in outcome.runs.values())
     places = {name: _places(record) for name, record in outcome.runs.items()}
-    recording.stream.send_blueprint(blueprints.arm(places, packets))
+    recording.stream.send_blueprint(blueprints.arm(places, talked))
     for name, record in outcome.runs.items():
         _run(recording, robot, name, record, frames)
     return recording
@@ -64,8 +65,9 @@ def _run(recording: Recording, robot: Robot, name: str, record: Record, frames: 
     _curves(recording, name, record, times)
     off = np.linalg.norm(hands[:, 0] - hands[:, 1], axis=-1)
     recording.series(f"{name}/off", times, off[:, None], ["hand"])
-    at = np.array([packet.at - record.began for packet in record.packets])
-    log_packets(recording, robot, record.packets, Times(at), f"{name}/{BUS}")
+    heard = list(packets(record.packets))
+    at = np.array([packet.at - record.began for packet in heard])
+    log_packets(recording, robot, heard, Times(at), f"{name}/{BUS}")
 
 
 def _push(tree: Tree, path: str, record: Record, push: Push, times: Times) -> None:

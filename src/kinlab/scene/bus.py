@@ -21,14 +21,15 @@ BUS = "bus"
 
 
 def log_packets(
-    recording: Recording, robot: Robot, packets: Sequence[Passage], times: Times, path: str = BUS
+    recording: Recording, robot: Robot, heard: Sequence[Passage], times: Times, path: str = BUS
 ) -> None:
     """Log what went over a robot's bus.
 
     Args:
-        times: when, one for each packet.
+        heard: whole packets, see `kinlab.dynamixel.bus.packets`.
+        times: when, one for each of them.
     """
-    if not packets:
+    if not heard:
         return
     tables = {servo.id: load_table(servo.model.name) for servo in robot.servos}
 
@@ -41,7 +42,7 @@ def log_packets(
 
     request: Packet | None = None
     texts, levels, shades = [], [], []
-    for packet in packets:
+    for packet in heard:
         text, ok, request = told(packet.data, None if packet.sent else request, packet.sent)
         texts.append(text)
         levels.append(("sent" if packet.sent else "heard") if ok else "damaged")

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from kinlab.dynamixel import Passage
+from kinlab.dynamixel.bus import Passage, packets
 from kinlab.errors import UsageError
 from kinlab.gait import Motion, Walk, stability
 from kinlab.gait.limits import joint_rates
@@ -70,11 +70,11 @@ def check_recordable(errand: Errand) -> None:
         )
 
 
-def walk_scene(result: WalkResult, packets: Sequence[Passage] = ()) -> Recording:
+def walk_scene(result: WalkResult, passages: Sequence[Passage] = ()) -> Recording:
     """A walk as it was measured, on the rig's own time.
 
     Args:
-        packets: what went over the bus meanwhile; those from before the first step are left out.
+        passages: what went over the bus meanwhile; those from before the first step are left out.
     """
     record, walk = result.record, result.errand.walk
     robot, wiring = walk.robot, record.wiring
@@ -83,7 +83,7 @@ def walk_scene(result: WalkResult, packets: Sequence[Passage] = ()) -> Recording
     # The rig's limbs are the robot's legs, in their order.
     measured = replace(plan, q=record.q.reshape(plan.q.shape))
     began = record.samples[0].clock - record.samples[0].t
-    heard = [packet for packet in packets if packet.at >= began]
+    heard = list(packets(passage for passage in passages if passage.at >= began))
     recording = Recording(f"{robot.name} {walk.gait.name} walk")
     recording.keep()
     recording.stream.send_blueprint(blueprints.walk(robot, plan.body, bool(heard)))

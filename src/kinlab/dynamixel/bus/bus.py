@@ -5,8 +5,9 @@ from itertools import pairwise
 from types import TracebackType
 from typing import NamedTuple
 
-from kinlab.dynamixel.bus.conversation import Conversation, Passage
+from kinlab.dynamixel.bus.conversation import Conversation
 from kinlab.dynamixel.bus.errors import DamagedAnswerError, NoAnswerError
+from kinlab.dynamixel.bus.passages import Passage
 from kinlab.dynamixel.codec.instructions import (
     BACKUP_KEY,
     BROADCAST,

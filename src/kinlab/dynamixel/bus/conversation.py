@@ -1,9 +1,9 @@
 """One request and its answers: on the wire, in time, repeated where need be."""
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import NamedTuple
 
 from kinlab.dynamixel.bus.errors import DamagedAnswerError, NoAnswerError, RefusedError
+from kinlab.dynamixel.bus.passages import Passage
 from kinlab.dynamixel.chain.chain import wire_time
 from kinlab.dynamixel.codec.checks import crc16
 from kinlab.dynamixel.codec.instructions import ALERT, STATUS, error_names
@@ -16,20 +16,6 @@ LONGEST_SLOT = 0.003  # s that a servo may take for each id below its own when a
 ALARMS_1 = 0b100101  # input voltage, overheating, overload: a state, not the fate of the request
 STATUS_FRAME = {1: 6, 2: 11}  # bytes of an answer without data
 PING_FRAME = 14
-
-
-class Passage(NamedTuple):
-    """Bytes that went over the wire.
-
-    Attributes:
-        at: when the last of them had passed, s on the port's clock.
-        sent: whether the bus sent them, or heard them.
-        data: the bytes.
-    """
-
-    at: float
-    sent: bool
-    data: bytes
 
 
 class Conversation:
