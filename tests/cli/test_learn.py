@@ -10,7 +10,6 @@ from typing import Any
 
 import pytest
 
-from kinlab.cli.learn_prose import prose
 from kinlab.language import words_of
 from kinlab.lessons import Lesson, Progress, Sitting, load_course
 from kinlab.lessons.kinds import kind_of
@@ -288,11 +287,3 @@ def test_a_watched_file_is_checked_when_it_is_saved(tmp_path: Path) -> None:
         assert process.wait(30) == 0
     count = len(sitting.tasks)
     assert f"{count} of {count} exercise(s) solved by yourself" in " ".join(rest.split())
-
-
-@pytest.mark.parametrize("columns", [12, 29, 30, 31, 47, 60])
-def test_a_full_stop_stays_with_the_word_before_it(columns: int) -> None:
-    lines = prose("In the paper of `xl430-hexapod`. You know a **limb frame**, don't you?", columns)
-    text = ["".join(part for _, part in line) for line in lines]
-    assert " ".join(text) == "In the paper of xl430-hexapod. You know a limb frame, don't you?"
-    assert all(len(line) <= columns or " " not in line for line in text)
