@@ -66,6 +66,11 @@ def pi_upside_down(robot: str, x: float) -> float:
     return math.pi * ratio(robot, x)
 
 
+def true_pi() -> float:
+    """As `their_pi`, the right one."""
+    return math.pi
+
+
 def fraction(robot: str, x: float) -> str:
     """Which of the well-known values for pi that is."""
     found = their_pi(robot, x)
