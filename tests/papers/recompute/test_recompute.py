@@ -15,7 +15,7 @@ TOTALS = {
     "receptionist-arm": (390, 46, 49, 8),
     "xl430-hexapod": (77, 13, 22, 145),
     "krsri-hexapod": (203, 1, 5, 176),
-    "udiebot-quadruped": (182, 129, 20, 109),
+    "udiebot-quadruped": (182, 132, 17, 109),
 }
 FINDINGS = [finding for report in REPORTS.values() for finding in report.findings]
 
