@@ -51,7 +51,8 @@ class RobotStation(Station):
         #path Horizontal { height: auto; }
         #rows, #print { height: auto; width: 1fr; }
     }
-    RobotStation.-tall #path { max-height: 24; }
+    RobotStation #path:focus { background: $panel; }
+    RobotStation.-tall #path { max-height: 55%; }
     RobotStation.-wide Form { width: 44; }
     RobotStation.-narrow {
         #robot { width: 18; } #limb { width: 14; }
@@ -94,7 +95,7 @@ class RobotStation(Station):
                 partial(self._draw, SIDE), self._side_caption, focusable=True, id=SIDE, classes="shown"
             )
             yield Picture(partial(self._draw, TOP), self._top_caption, focusable=True, id=TOP)
-        with VerticalScroll(id="path", can_focus=False), Horizontal():
+        with VerticalScroll(id="path"), Horizontal():
             yield Static(id="rows", markup=False)
             yield Static(id="print", markup=False)
 
@@ -176,7 +177,8 @@ class RobotStation(Station):
         self.query_one(Form).offer_solutions(answer, self.say)
         self._show_rows()
         self._redraw()
-        self.tell(*verdict(answer, self.say))
+        refused, self.refused = self.refused, ""
+        self.tell(*(("warn", refused) if refused else verdict(answer, self.say)))
 
     def _show_rows(self) -> None:
         if self.answer is not None:
@@ -261,30 +263,30 @@ class RobotStation(Station):
 
     @on(Select.Changed, "#robot")
     def _choose_robot(self, event: Select.Changed) -> None:
-        if event.value != self.robot.name:
-            self.take(self.robots[str(event.value)])
+        if event.select.value != self.robot.name:
+            self.take(self.robots[str(event.select.value)])
 
     @on(Select.Changed, "#limb")
     def _choose_limb(self, event: Select.Changed) -> None:
-        if event.value != self.limb.name:
-            self.take(self.robot, self.robot.limbs[str(event.value)])
+        if event.select.value != self.limb.name:
+            self.take(self.robot, self.robot.limbs[str(event.select.value)])
 
     @on(Select.Changed, "#frame")
     def _choose_frame(self, event: Select.Changed) -> None:
-        if event.value != self.frame:
-            self.frame = str(event.value)
+        if event.select.value != self.frame:
+            self.frame = str(event.select.value)
             self._show_form()
             self.ask()
 
     @on(Select.Changed, "#begin")
     def _choose_begin(self, event: Select.Changed) -> None:
-        if (event.value == "angles") != (self.angles is not None):
+        if (event.select.value == "angles") != (self.angles is not None):
             self.action_begin()
 
     @on(Select.Changed, "#solution")
     def _choose_solution(self, event: Select.Changed) -> None:
-        if self.answer and self.answer.path.pose and event.value != self.answer.path.pose.name:
-            self.solution = str(event.value)
+        if self.answer and self.answer.path.pose and event.select.value != self.answer.path.pose.name:
+            self.solution = str(event.select.value)
             self.ask()
 
     def _posed(self) -> Array:
