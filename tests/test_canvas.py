@@ -111,3 +111,11 @@ def test_a_flat_curve_and_a_single_point_are_possible():
     for points in ([(0.0, 0.0), (1.0, 0.0)], [(2.0, 5.0)]):
         canvas, _, _ = chart({"a": points}, 30, 5)
         assert "a" in canvas.text()
+
+
+def test_a_character_tells_the_place_in_its_middle():
+    canvas = _square()
+    for row, column in ((0, 0), (3, 11), (9, 19)):
+        canvas = _square()
+        canvas.mark(canvas.place(column, row), "X", "")
+        assert canvas.text().splitlines()[row][column] == "X"

@@ -37,6 +37,11 @@ class Canvas:
         """How much of the world one character is wide, in its unit."""
         return 2.0 * self._per_dot
 
+    def place(self, column: int, row: int) -> Point:
+        """The place in the middle of a character."""
+        x, y = 2 * column + 1 - self.columns, 2 * self.rows - 4 * row - 2
+        return x * self._per_dot + self._centre[0], y * self._per_dot + self._centre[1]
+
     def line(self, start: Point, end: Point, role: str, *, dashed: bool = False) -> None:
         """A straight line; `role` names what it is, for a face to colour."""
         (x0, y0), (x1, y1) = self._dot(start), self._dot(end)
