@@ -37,11 +37,6 @@ class Canvas:
         """How much of the world one character is wide, in its unit."""
         return 2.0 * self._per_dot
 
-    def place(self, column: int, row: int) -> Point:
-        """The place in the middle of a character."""
-        x, y = 2 * column + 1 - self.columns, 2 * self.rows - 4 * row - 2
-        return x * self._per_dot + self._centre[0], y * self._per_dot + self._centre[1]
-
     def line(self, start: Point, end: Point, role: str, *, dashed: bool = False) -> None:
         """A straight line; `role` names what it is, for a face to colour."""
         (x0, y0), (x1, y1) = self._dot(start), self._dot(end)
@@ -97,7 +92,11 @@ class Canvas:
     def spans(self) -> list[list[tuple[str, str]]]:
         """The picture row by row, as runs of (text, role)."""
         picture = []
+        used = {r for r, _ in self._roles}
         for r in range(self.rows):
+            if r not in used:
+                picture.append([(" " * self.columns, "")])
+                continue
             runs: list[tuple[str, str]] = []
             for c in range(self.columns):
                 char, role = self._char(r, c), self._roles.get((r, c), "")
@@ -128,7 +127,8 @@ class Canvas:
 
     def _cell(self, point: Point) -> tuple[int, int] | None:
         x, y = self._dot(point)
-        row, column = int(y // 4), int(x // 2)
+        # Rounded like the dots of lines, so that a mark covers the end of its line.
+        row, column = round(y) // 4, round(x) // 2
         return (row, column) if 0 <= row < self.rows and 0 <= column < self.columns else None
 
     def _set(self, x: int, y: int, role: str) -> None:

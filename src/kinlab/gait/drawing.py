@@ -48,12 +48,20 @@ def draw_support(
     places = np.concatenate(
         [part.reshape(-1, part.shape[-1])[:, :2] for part in (sight.motion.level, sight.contacts)]
     )
+    if around is not None:
+        # Room for the names beside the outermost feet.
+        room = np.array([0.0, np.ptp(places[:, 1]) * 4 / max(columns - 8, 8)])
+        places = np.vstack([places, places.min(axis=0) - room, places.max(axis=0) + room])
     canvas = Canvas(columns, rows, [_above(p) for p in places], ascii_only=ascii_only)
     down, up, centre = ("V", "o", "+") if ascii_only else ("■", "□", "✚")
     if around is not None:
-        for chain in _chains(motion):
+        chains = _chains(motion)
+        body = [_above(place) for place in hull(np.array([chain[0, :2] for chain in chains]))]
+        for start, end in zip(body, [*body[1:], *body[:1]], strict=True):
+            canvas.line(start, end, "axis")
+        for chain, stands in zip(chains, state.down, strict=True):
             for start, end in pairwise(map(_above, chain)):
-                canvas.line(start, end, "link2")
+                canvas.line(start, end, "link2" if stands else "link1")
     for start, end in zip(corners, [*corners[1:], *corners[:1]], strict=True):
         canvas.line(start, end, "link0")
     for foot, stands in zip(feet, state.down, strict=True):

@@ -2,4 +2,5 @@
 
 STATIONS: dict[str, str] = {
     "robot": "kinlab.tui.stations.robot.station:RobotStation",
+    "gait": "kinlab.tui.stations.gait.station:GaitStation",
 }
