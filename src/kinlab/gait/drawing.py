@@ -50,7 +50,8 @@ def draw_support(
     )
     if around is not None:
         # Room for the names beside the outermost feet.
-        room = np.array([0.0, np.ptp(places[:, 1]) * 4 / max(columns - 8, 8)])
+        cells = max(len(leg.name) for leg in legs) + 2
+        room = np.array([0.0, np.ptp(places[:, 1]) * cells / max(columns - 2 * cells, 8)])
         places = np.vstack([places, places.min(axis=0) - room, places.max(axis=0) + room])
     canvas = Canvas(columns, rows, [_above(p) for p in places], ascii_only=ascii_only)
     down, up, centre = ("V", "o", "+") if ascii_only else ("■", "□", "✚")

@@ -8,7 +8,7 @@ import pytest
 from kinlab.control import Environment, PositionGains
 from kinlab.errors import UsageError
 from kinlab.rig.arm import ArmServos, Lab, Push, RunawayError, Settings, run
-from kinlab.rig.arm.drawing import VIEWS, draw_arm
+from kinlab.rig.arm.drawing import VIEWS, draw_arm, pull
 
 FIRM = Settings("position", PositionGains(20, 8), Environment(0.1, 12, 8, 1))
 
@@ -99,5 +99,26 @@ def test_the_arm_and_its_line_are_in_sight(limb, line, view):
         text = canvas.text()
         assert "▼" in text
         assert "●" in text
-        assert "force" in {role for row in canvas.spans() for _, role in row}
+        assert "bad" in {role for row in canvas.spans() for _, role in row}
     assert draw_arm(limb, q, line, view=view, ascii_only=True).text().isascii()
+
+
+@pytest.mark.parametrize("view", VIEWS)
+def test_a_hand_on_the_drawing_pulls_to_where_it_is(limb, line, view):
+    tip = VIEWS[view] @ limb.fk(line.q[0])[:3, 3] * 1000
+    force = np.array(pull(limb, line.q[0], view, (tip[0] + 30, tip[1] - 45)))
+    np.testing.assert_allclose(VIEWS[view] @ force, [2, -3], atol=1e-9)
+    assert np.linalg.norm(pull(limb, line.q[0], view, (1e6, 1e6))) == pytest.approx(10)
+    assert pull(limb, line.q[0], view, tuple(tip)) == pytest.approx((0, 0, 0), abs=1e-9)
+
+
+def test_what_is_kept_is_there_to_be_plotted(lab):
+    assert lab.off == 0
+    for _ in range(30):
+        lab.cycle()
+    assert lab.column("real").shape == (30, 3)
+    assert lab.column("load", 0.16).shape == (10, 3)
+    np.testing.assert_array_equal(lab.column("real")[-1], lab.moments[-1].angles["real"])
+    np.testing.assert_allclose(lab.trail(0.016)[0], lab.limb.fk(lab.moments[-1].angles["real"])[:3, 3])
+    assert 0 < lab.off < 0.05
+    assert len(lab.times) == 30

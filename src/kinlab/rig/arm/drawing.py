@@ -17,6 +17,7 @@ VIEWS = {
     "behind": np.array([[0.0, -1.0, 0.0], [0.0, 0.0, 1.0]]),
 }
 MM_PER_NEWTON = 15.0
+STRONGEST = 10.0  # N that a hand on the drawing pulls with
 # How far around the line the hand stays in sight, mm.
 ROOM = 100.0
 
@@ -65,10 +66,23 @@ def draw_arm(
     if force is not None and any(force):
         x, y = points[-1]
         push = plane @ np.asarray(force) / 1000 * MM_PER_NEWTON
-        canvas.line((x, y), (x + float(push[0]), y + float(push[1])), "force")
+        canvas.line((x, y), (x + float(push[0]), y + float(push[1])), "bad")
     for point in points[:-1]:
         canvas.mark(point, joint, "joint")
     if reference is not None:
         canvas.mark(flat(limb.fk(reference)[None, :3, 3])[0], goal, "target")
     canvas.mark(points[-1], hand, "tip")
     return canvas
+
+
+def pull(limb: Limb, q: ArrayLike, view: str, place: Point) -> tuple[float, float, float]:
+    """The force (3,), N, limb frame, of a rubber band from the hand to a place of the drawing, in mm.
+
+    Its arrow in `draw_arm` ends at that place; it pulls with no more than STRONGEST.
+    """
+    plane = VIEWS[view]
+    away = np.asarray(place, float) / 1000 - plane @ limb.fk(q)[:3, 3]
+    force = away * 1000 / MM_PER_NEWTON
+    force = force * min(1.0, STRONGEST / max(float(np.hypot(*force)), 1e-12))
+    x, y, z = (force @ plane).tolist()
+    return x, y, z

@@ -1,16 +1,27 @@
 """An arm that goes its way for as long as somebody looks, while gains, law and a hand on it change."""
 
 from collections import deque
+from itertools import islice
 
+import numpy as np
+
+from kinlab.control import Environment, PositionGains
 from kinlab.control.laws import AT_REST
 from kinlab.errors import UsageError
 from kinlab.kinematics.resolved_motion import Track
-from kinlab.rig.arm.loop import Loop, Settings
+from kinlab.kinematics.transforms import Array
+from kinlab.rig.arm.loop import TABLE_4_1, TEXT, Loop, Settings
 from kinlab.rig.arm.record import Moment
 from kinlab.rig.arm.servos import ArmServos
 from kinlab.robots import Limb, Robot
 
 KEPT = 5.0  # s of cycles that are kept
+# Gains to begin with. Those that are printed run away on an arm that goes on and on; the firm ones, which are
+# nobody's but ours, follow the line within 7 deg and come back from a push of 3 N.
+GAIN_SETS = {
+    "firm": (PositionGains(20, 8), Environment(0.1, 12, 8, 1)),
+    "printed": (TEXT, TABLE_4_1),
+}
 
 
 class Lab:
@@ -34,6 +45,7 @@ class Lab:
         self._servos.hold()
         self._loop = Loop(self._servos, track, settings)
         self._count = 0
+        self._closed = False
 
     def __enter__(self) -> "Lab":
         return self
@@ -42,8 +54,10 @@ class Lab:
         self.close()
 
     def close(self) -> None:
-        """Switch the torque off."""
-        self._servos.__exit__(None, None, None)
+        """Switch the torque off, once."""
+        if not self._closed:
+            self._closed = True
+            self._servos.__exit__(None, None, None)
 
     @property
     def settings(self) -> Settings:
@@ -80,3 +94,28 @@ class Lab:
         self._loop.wait()
         self._count += 1
         return moment
+
+    @property
+    def off(self) -> float:
+        """How far the hand was from its place on the line in the last cycle, m; 0 before the first."""
+        if not self.moments:
+            return 0.0
+        angles = self.moments[-1].angles
+        real, wanted = (self.limb.fk(angles[name])[:3, 3] for name in ("real", "command"))
+        return float(np.linalg.norm(real - wanted))
+
+    def trail(self, seconds: float) -> Array:
+        """Where the hand was in the last `seconds` (N, 3), limb frame, m, the oldest first."""
+        return np.asarray(self.limb.fk(self.column("real", seconds))[..., :3, 3])
+
+    def column(self, name: str, seconds: float = KEPT) -> Array:
+        """The last `seconds` of an angle (rad) or a torque (N m) of each joint (N, n), by its name in `Moment`."""
+        count = round(seconds / self.settings.dt)
+        kept = islice(self.moments, max(len(self.moments) - count, 0), None)
+        rows = [(m.angles if name in m.angles else m.torques)[name] for m in kept]
+        return np.array(rows).reshape(-1, len(self.limb.joints))
+
+    @property
+    def times(self) -> Array:
+        """When the cycles that are kept began (N,), s."""
+        return np.array([moment.t for moment in self.moments])

@@ -10,20 +10,9 @@ from kinlab.gait import Cycle
 from kinlab.rig import Sample, Treadmill
 
 Say = Callable[..., str]
-BETWEEN = "  ·  "
 EIGHTHS = ("", *"▏▎▍▌▋▊▉")
 # The share of a servo's speed from which a joint is near its limit.
 NEAR = 0.9
-
-
-def fitting(facts: list[str], width: int) -> str:
-    """As many of these facts in one line as there is room for, the first ones first."""
-    line = facts[0]
-    for fact in facts[1:]:
-        if len(line) + len(BETWEEN) + len(fact) > width:
-            break
-        line += BETWEEN + fact
-    return line
 
 
 def walking(say: Say, cycle: Cycle, frame: int) -> list[str]:

@@ -19,10 +19,11 @@ from kinlab.rig import Sample, Treadmill
 from kinlab.robots import Robot
 from kinlab.robots.load import load_robots
 from kinlab.tui.actions import Action
+from kinlab.tui.facts import fitting
 from kinlab.tui.numbers import shown
 from kinlab.tui.station import Station
 from kinlab.tui.stations.gait.diagram import Diagram
-from kinlab.tui.stations.gait.readings import costs, fitting, joint_speeds, pace, walking
+from kinlab.tui.stations.gait.readings import costs, joint_speeds, pace, walking
 from kinlab.tui.stations.gait.transport import Transport
 from kinlab.tui.widgets import Choice, Dial, Picture, Plot
 
@@ -345,6 +346,7 @@ class GaitStation(Station):
             )
         self._pictures += 1
         power = self.query_one("#power", Plot)
+        power.visible = not self.mill_problem
         if power.region.width and (self._pictures % POWER_EVERY == 0 or not self.playing):
             samples = list(self.mill.samples) if self.mill else []
             thin = samples[:: max(len(samples) // POINTS, 1)]
