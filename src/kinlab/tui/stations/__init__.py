@@ -2,4 +2,6 @@
 
 STATIONS: dict[str, str] = {
     "robot": "kinlab.tui.stations.robot.station:RobotStation",
+    "gait": "kinlab.tui.stations.gait.station:GaitStation",
+    "arm": "kinlab.tui.stations.arm.station:ArmStation",
 }
