@@ -1,7 +1,6 @@
 """The prompt of the packet sandbox: history, completion, bytes coloured by their field while one types."""
 
 import os
-from pathlib import Path
 
 from prompt_toolkit import PromptSession, print_formatted_text
 from prompt_toolkit.auto_suggest import AutoSuggestFromHistory
@@ -13,6 +12,7 @@ from prompt_toolkit.styles import Style
 
 from kinlab.dynamixel.sandbox import Session, execute
 from kinlab.errors import KinlabError
+from kinlab.files import own_folder
 from kinlab.repl.completion import LineCompleter
 from kinlab.repl.lexing import LineLexer
 from kinlab.repl.toolbar import toolbar
@@ -88,9 +88,7 @@ def _prompt(session: Session) -> str:
 
 def _history() -> History:
     """A file of one's own in the user's state folder; none where that cannot be written."""
-    from platformdirs import user_state_path
-
-    path: Path = user_state_path("kinlab") / "packet-history"
+    path = own_folder() / "packet-history"
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         os.close(os.open(path, os.O_CREAT | os.O_APPEND | os.O_WRONLY, 0o600))
