@@ -19,4 +19,6 @@ def refuse_to_guests(what: str) -> None:
         UsageError: a guest tries it; `what` says what, as in "the port /dev/ttyUSB0".
     """
     if is_guest():
-        raise UsageError(f"{what} is out of reach of a session in the browser; start KinLab on the machine itself")
+        raise UsageError(
+            f"{what} is out of reach of a session in the browser; start KinLab on the machine itself"
+        )

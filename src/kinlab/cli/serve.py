@@ -22,7 +22,9 @@ def serve(
         ),
     ] = "127.0.0.1",
     port: Annotated[int, typer.Option(help="0: any that is free.")] = 8000,
-    sessions: Annotated[int, typer.Option(help="How many there may be at a time; each takes about 60 MB.")] = 8,
+    sessions: Annotated[
+        int, typer.Option(help="How many there may be at a time; each takes about 60 MB.")
+    ] = 8,
     robots: RobotsOption = None,
 ) -> None:
     """The laboratory in a browser: for oneself, or for a class.
@@ -84,7 +86,9 @@ def _announce(host: str, port: int, sessions: int) -> None:
         typer.echo(f"KinLab is at http://{where}:{port} for {people} at a time, on this machine alone.")
         return
     everywhere = host in ("0.0.0.0", "::")
-    typer.echo(f"KinLab is at http://{socket.gethostname() if everywhere else where}:{port} for {people} at a time.")
+    typer.echo(
+        f"KinLab is at http://{socket.gethostname() if everywhere else where}:{port} for {people} at a time."
+    )
     typer.echo(
         "Everybody who reaches this machine over the network can use it: there is no password, and nothing is\n"
         "encrypted. They run KinLab on this machine, as you, but reach no serial port and only files of their own.\n"

@@ -35,7 +35,7 @@ HEADERS = {
 Handler = Callable[[web.Request], Awaitable[web.StreamResponse]]
 
 
-class LabServer(Server):  # type: ignore[misc]
+class LabServer(Server):
     """The TUI in browsers: textual-serve's server with a gate, a limit, and a folder for each visitor.
 
     Attributes:
@@ -149,7 +149,7 @@ class LabServer(Server):  # type: ignore[misc]
             "notice.html",
             title=self._say(f"{reason}.title"),
             text=self._say(f"{reason}.text", **values),
-            again=self._say("again"),
+            again=self._say("retry"),
         )
         headers = {"Retry-After": "30"} if status == 503 else {}
         return web.Response(status=status, text=text, content_type="text/html", headers=headers)
@@ -178,11 +178,11 @@ class LabServer(Server):  # type: ignore[misc]
 
     # Sessions.
 
-    async def handle_websocket(self, request: web.Request) -> web.StreamResponse:
+    async def handle_websocket(self, request: web.Request) -> web.WebSocketResponse:
         """A session, from the first byte to the last."""
         visitor = _visitor(request)
         if not self._has_room_for(visitor):
-            return self._notice(503, "full", places=str(self._places))
+            raise web.HTTPServiceUnavailable(text=self._say("full.title"))
         if len(self.sessions) >= self._places:
             # A page that is loaded anew takes the place of its former self.
             former = next(s for s in self.sessions if s.visitor == visitor)
@@ -196,7 +196,9 @@ class LabServer(Server):  # type: ignore[misc]
         try:
             await socket.prepare(request)
             query = request.query
-            await session.start(*fitting(to_int(query.get("width", ""), 80), to_int(query.get("height", ""), 24)))
+            await session.start(
+                *fitting(to_int(query.get("width", ""), 80), to_int(query.get("height", ""), 24))
+            )
             await session.attend()
         finally:
             if session in self.sessions:

@@ -3,6 +3,7 @@
 import asyncio
 import os
 from collections.abc import Awaitable, Callable, Sequence
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -26,7 +27,12 @@ class Session(AppService):
     """
 
     def __init__(
-        self, command: Sequence[str], visitor: str, home: Path, socket: web.WebSocketResponse, manager: DownloadManager
+        self,
+        command: Sequence[str],
+        visitor: str,
+        home: Path,
+        socket: web.WebSocketResponse,
+        manager: DownloadManager,
     ) -> None:
         """Set up.
 
@@ -120,9 +126,7 @@ def _unless_gone(send: Callable[..., Awaitable[object]]) -> Callable[..., Awaita
     """`send`, for which it is no matter that the browser has left meanwhile."""
 
     async def attempt(*what: Any) -> None:
-        try:
+        with suppress(ConnectionError, RuntimeError):
             await send(*what)
-        except (ConnectionError, RuntimeError):
-            pass
 
     return attempt
