@@ -83,6 +83,12 @@ class Canvas:
                     self._chars[r, c + i], self._roles[r, c + i] = char, role
                 return
 
+    def place(self, column: int, row: int) -> Point:
+        """The place of the world that is in the middle of a character."""
+        x = (2 * column + 1 - self.columns) * self._per_dot + self._centre[0]
+        y = (2 * self.rows - 4 * row - 2) * self._per_dot + self._centre[1]
+        return x, y
+
     def spans(self) -> list[list[tuple[str, str]]]:
         """The picture row by row, as runs of (text, role)."""
         picture = []

@@ -1,0 +1,5 @@
+"""The stations, in the order in which a student meets them: name, and the class to be imported when it is opened."""
+
+STATIONS: dict[str, str] = {
+    "robot": "kinlab.tui.stations.robot.station:RobotStation",
+}

@@ -1,0 +1,43 @@
+"""One of a few names, in one row; a list opens to choose from."""
+
+from collections.abc import Iterable
+from typing import Any
+
+from textual.content import Content
+from textual.widgets import Select
+
+
+class Choice(Select[str]):
+    """A list of names, of which one is chosen; posts `Select.Changed`, and nothing when it is set by `put`."""
+
+    DEFAULT_CSS = """
+    Choice { width: 20; }
+    Choice > SelectOverlay { max-height: 12; }
+    """
+
+    def __init__(self, names: Iterable[str], value: str, **settings: Any) -> None:
+        super().__init__(
+            [(Content(name), name) for name in names],
+            value=value,
+            allow_blank=False,
+            compact=True,
+            **settings,
+        )
+
+    def offer(self, names: Iterable[str], value: str, labels: Iterable[str] | None = None) -> None:
+        """Other names, one of them chosen; tells nobody.
+
+        Args:
+            labels: what is shown for each; default the names.
+        """
+        names = list(names)
+        with self.prevent(Select.Changed):
+            self.set_options(
+                [(Content(label), name) for label, name in zip(labels or names, names, strict=True)]
+            )
+            self.value = value
+
+    def put(self, value: str) -> None:
+        """Choose; tells nobody."""
+        with self.prevent(Select.Changed):
+            self.value = value

@@ -1,0 +1,106 @@
+"""What every station has: keys, help, palette, languages, themes, settings, and a notice where there is no room."""
+
+import json
+
+import pytest
+
+from kinlab.language import words_of
+from kinlab.tui.actions import SHELL
+from kinlab.tui.app import _station
+from kinlab.tui.station import Station
+from kinlab.tui.stations import STATIONS
+
+
+@pytest.fixture(params=STATIONS)
+def station(request) -> str:
+    return request.param
+
+
+def test_every_action_has_a_label_and_a_help_in_every_language(station):
+    screen = _station(station)
+    assert isinstance(screen, Station)
+    own, shell = words_of(screen.words).entries, words_of("kinlab.tui").entries
+    for action in (*screen.ACTIONS, *SHELL):
+        for part in ("label", "help"):
+            entry = own.get(f"action.{action.id}.{part}") or shell[f"action.{action.id}.{part}"]
+            assert all(entry.values())
+
+
+@pytest.mark.parametrize("size", [(60, 20), (80, 24), (120, 40), (200, 60)])
+def test_the_line_of_keys_is_never_cut_and_always_holds_help_and_quit(lab, station, size):
+    async def script(pilot):
+        line = lab.rows(pilot.app)[-1]
+        assert "? help" in line
+        assert "^q quit" in line
+
+    lab.drive(script, station, size)
+
+
+def test_help_lists_every_key_of_the_station(lab, station):
+    async def script(pilot):
+        await pilot.press("f1")
+        seen = lab.text(pilot.app)
+        assert "Esc closes this help" in seen or "Keys" in seen
+        await pilot.press("escape")
+        assert isinstance(pilot.app.screen, Station)
+
+    lab.drive(script, station, (100, 60))
+
+
+def test_a_terminal_too_small_is_told_the_size_it_needs_and_goes_on_when_it_grows(lab, station):
+    async def script(pilot):
+        await pilot.resize_terminal(40, 12)
+        await pilot.pause()
+        assert "40 x 12" in lab.text(pilot.app)
+        assert "60 x 20" in lab.text(pilot.app)
+        await pilot.resize_terminal(80, 24)
+        await pilot.pause()
+        assert "^q quit" in lab.text(pilot.app)
+
+    lab.drive(script, station)
+
+
+def test_the_language_changes_at_run_time(lab, station):
+    async def script(pilot):
+        await pilot.press("ctrl+l")
+        await pilot.pause()
+        assert "bantuan" in lab.rows(pilot.app)[-1]
+
+    app = lab.drive(script, station)
+    assert app.tongue == "id"
+
+
+def test_theme_and_language_are_kept_until_the_next_run(lab):
+    async def script(pilot):
+        await pilot.press("ctrl+t")
+        await pilot.press("ctrl+l")
+        await pilot.press("ctrl+q")
+
+    first = lab.drive(script)
+    kept = json.loads((first.folder / "tui.json").read_text())
+    assert (kept["theme"], kept["language"]) == ("kinlab-light", "id")
+
+
+def test_damaged_settings_are_put_aside_and_named(lab, tmp_path):
+    folder = tmp_path / "state"
+    folder.mkdir()
+    (folder / "tui.json").write_text('{"theme": 7')
+
+    async def script(pilot):
+        assert pilot.app.theme == "kinlab-dark"
+
+    app = lab.drive(script)
+    assert app.set_aside == folder / "tui.damaged"
+    assert app.set_aside.read_text() == '{"theme": 7'
+
+
+def test_the_palette_finds_an_action_by_its_name(lab):
+    async def script(pilot):
+        await pilot.press("ctrl+p")
+        await pilot.press(*"dark or")
+        await pilot.pause(0.2)
+        await pilot.press("enter")
+        await pilot.pause(0.2)
+        assert pilot.app.theme == "kinlab-light"
+
+    lab.drive(script)
