@@ -2,4 +2,5 @@
 
 STATIONS: dict[str, str] = {
     "robot": "kinlab.tui.stations.robot.station:RobotStation",
+    "packet": "kinlab.tui.stations.packet.station:PacketStation",
 }
