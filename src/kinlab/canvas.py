@@ -20,13 +20,17 @@ class Canvas:
         columns, rows: of the field, in characters.
         points: what must be in sight; the scale is chosen so that it fits, with a margin.
         ascii_only: for terminals and readers without braille.
+        margin: dots that stay free at each edge.
     """
 
-    def __init__(self, columns: int, rows: int, points: Iterable[Point], *, ascii_only: bool = False) -> None:
+    def __init__(
+        self, columns: int, rows: int, points: Iterable[Point], *, ascii_only: bool = False, margin: int = 3
+    ) -> None:
         self.columns, self.rows, self.ascii_only = columns, rows, ascii_only
         xs, ys = zip(*points, strict=True)
         wide, high = max(xs) - min(xs), max(ys) - min(ys)
-        self._per_dot: float = max(wide / (2 * columns - 6), high / (4 * rows - 6), 1e-12)
+        across, up = max(2 * columns - 2 * margin, 1), max(4 * rows - 2 * margin, 1)
+        self._per_dot: float = max(wide / across, high / up, 1e-12)
         self._centre = ((max(xs) + min(xs)) / 2, (max(ys) + min(ys)) / 2)
         self._bits = [[0] * columns for _ in range(rows)]
         self._chars: dict[tuple[int, int], str] = {}
@@ -53,6 +57,27 @@ class Canvas:
                 if inside(
                     (x - self.columns) * self._per_dot + self._centre[0],
                     (2 * self.rows - y) * self._per_dot + self._centre[1],
+                ):
+                    self._set(x, y, role)
+
+    def outline(
+        self, inside: Callable[[list[float], list[float]], Sequence[Sequence[bool]]], role: str
+    ) -> None:
+        """The edge of a region: every dot inside it that has a dot beside, above or below it that is not.
+
+        Args:
+            inside: gives, for the places of the dots' columns (x) and rows (y, downwards), row by row which are inside.
+            role: what it is. The edge of the field is none of it.
+        """
+        wide, high = 2 * self.columns, 4 * self.rows
+        xs = [(x - self.columns) * self._per_dot + self._centre[0] for x in range(wide)]
+        ys = [(2 * self.rows - y) * self._per_dot + self._centre[1] for y in range(high)]
+        held = inside(xs, ys)
+        for y, row in enumerate(held):
+            above, below = held[max(y - 1, 0)], held[min(y + 1, high - 1)]
+            for x in range(wide):
+                if row[x] and not (
+                    above[x] and below[x] and row[max(x - 1, 0)] and row[min(x + 1, wide - 1)]
                 ):
                     self._set(x, y, role)
 

@@ -16,6 +16,7 @@ class Choice(Select[str]):
     """
 
     def __init__(self, names: Iterable[str], value: str, **settings: Any) -> None:
+        self.names = list(names)
         super().__init__(
             [(Content(name), name) for name in names],
             value=value,
@@ -30,7 +31,7 @@ class Choice(Select[str]):
         Args:
             labels: what is shown for each; default the names.
         """
-        names = list(names)
+        self.names = names = list(names)
         with self.prevent(Select.Changed):
             self.set_options(
                 [(Content(label), name) for label, name in zip(labels or names, names, strict=True)]

@@ -127,6 +127,8 @@ class NumberField(Input):
             self._judge((wrong.key, wrong.values))
             self.post_message(self.Refused(self))
             return
+        if self.problem is None and number == self.number:
+            return
         self._judge(None)
         self.number = number
         self.post_message(self.Entered(self, number))

@@ -1,122 +1,347 @@
-"""The Robot station: a target, and everything that follows from it."""
+"""The Robot station: a target or joint angles, and everything that follows from them."""
 
+import asyncio
+from functools import partial
 from typing import Any
 
 import numpy as np
 from textual import on
 from textual.app import ComposeResult
-from textual.containers import Horizontal, Vertical
-from textual.widgets import Select
+from textual.containers import Horizontal, Vertical, VerticalScroll
+from textual.events import Resize
+from textual.widgets import Select, Static
 
 from kinlab.canvas import Canvas
-from kinlab.robots import load_robot
-from kinlab.robots.drawing import draw_limb
-from kinlab.robots.load import robot_names
-from kinlab.robots.target import solve_target
-from kinlab.tui.actions import Action
+from kinlab.errors import KinlabError
+from kinlab.kinematics.transforms import Array
+from kinlab.papers.path import angles_of
+from kinlab.papers.tour import first_target
+from kinlab.robots import Limb, Robot
+from kinlab.robots.load import load_robots, shipped_robots
+from kinlab.robots.model import FRAMES
+from kinlab.robots.views import SIDE, TOP, Drawn, draw_view
 from kinlab.tui.numbers import shown
 from kinlab.tui.station import Station
+from kinlab.tui.stations.robot.actions import ACTIONS
+from kinlab.tui.stations.robot.asking import Answer, Asker, Question
+from kinlab.tui.stations.robot.form import Form
+from kinlab.tui.stations.robot.kept import kept_in
+from kinlab.tui.stations.robot.table import path_rows
+from kinlab.tui.stations.robot.telling import verdict
 from kinlab.tui.widgets import Choice, Dial, Picture
-from kinlab.units import to_metres
+
+STEP = 0.001  # m; how far an arrow key moves the target
 
 
 class RobotStation(Station):
-    """Choose a robot and a limb, give a target, see the path."""
+    """Choose a robot and a limb, give a target or angles, see the path and its errors."""
 
     NAME = "robot"
-    ACTIONS = (
-        Action("next_robot", "r,f7"),
-        Action("next_limb", "l,f8"),
-    )
+    ACTIONS = ACTIONS
     CSS = """
     RobotStation {
-        #choices { height: 1; }
-        #form { width: 34; }
-        #views Picture { width: 1fr; height: 100%; }
+        #choices { height: 1; background: $surface; }
+        #robot { width: 22; } #limb { width: 18; } #frame { width: 12; } #begin { width: 12; }
+        #top { height: 1fr; }
+        Form { width: 30; }
+        Picture { width: 1fr; height: 100%; margin-left: 1; }
+        #path { height: auto; max-height: 10; padding: 0 1; background: $surface; scrollbar-size-vertical: 1; }
+        #rows { height: auto; }
+    }
+    RobotStation.-tall #path { max-height: 24; }
+    RobotStation.-wide Form { width: 44; }
+    RobotStation.-narrow {
+        #robot { width: 18; } #limb { width: 14; }
+        #path { max-height: 10; }
+        Form { width: 29; }
+        Picture { display: none; }
+        Picture.shown { display: block; }
     }
     """
 
     def __init__(self) -> None:
         super().__init__()
-        self.robot = load_robot(robot_names()[0])
-        self.limb = self.robot.limb()
-        self.target_mm = np.array([75.0, 10.0, -46.0])
+        self.refused = ""
+        try:
+            self.robots = load_robots()
+        except KinlabError as error:
+            self.refused, self.robots = str(error), shipped_robots()
+        self.robot: Robot = next(iter(self.robots.values()))
+        self.limb: Limb = self.robot.limb()
+        self.target: Array = first_target(self.robot, self.limb)
+        self.rpy: Array = np.zeros(3)
+        self.angles: Array | None = None
+        self.frame, self.solution = "limb", ""
+        self.powered, self.ghost, self.bounds = True, False, True
+        self.answer: Answer | None = None
+        self._asker = Asker()
+        self._asked: Question | None = None
+        self._busy = False
 
     def compose_body(self) -> ComposeResult:
         with Horizontal(id="choices"):
-            yield Choice(robot_names(), self.robot.name, id="robot")
+            yield Choice(self.robots, self.robot.name, id="robot")
             yield Choice(self.robot.limbs, self.limb.name, id="limb")
-        with Horizontal():
-            with Vertical(id="form"):
-                for i, axis in enumerate("xyz"):
-                    yield Dial(axis, "mm", low=-200, high=200, number=float(self.target_mm[i]), id=axis)
-            with Horizontal(id="views"):
-                yield Picture(lambda *size: self._draw(0, *size), self._side, id="side")
-                yield Picture(lambda *size: self._draw(1, *size), self._top, id="top")
+            yield Choice(("target", "angles"), "target", id="begin")
+            yield Choice(FRAMES, "limb", id="frame")
+        with Horizontal(id="top"):
+            with Vertical():
+                yield Form()
+            yield Picture(
+                partial(self._draw, SIDE), self._side_caption, focusable=True, id=SIDE, classes="shown"
+            )
+            yield Picture(partial(self._draw, TOP), self._top_caption, focusable=True, id=TOP)
+        with VerticalScroll(id="path", can_focus=False):
+            yield Static(id="rows", markup=False)
 
-    def ready(self) -> None:
-        self.solve()
+    # Beginning, and the next time.
+
+    def restore(self, state: dict[str, Any]) -> None:
+        kept_in(self, state)
 
     def state(self) -> dict[str, Any]:
-        return {"robot": self.robot.name, "limb": self.limb.name, "target_mm": self.target_mm.tolist()}
+        return {
+            "robot": self.robot.name,
+            "limb": self.limb.name,
+            "frame": self.frame,
+            "target_m": self.target.tolist(),
+            "rpy_rad": self.rpy.tolist(),
+            "angles_rad": None if self.angles is None else self.angles.tolist(),
+            "solution": self.solution,
+            "ghost": self.ghost,
+            "bounds": self.bounds,
+        }
 
-    def solve(self) -> None:
-        """Ask the core, and show the answer."""
-        self.answer = solve_target(self.robot, self.limb, to_metres(self.target_mm))
-        for picture in self.query(Picture):
-            picture.redraw()
-        if self.answer.chosen is None:
-            self.tell("bad", self.answer.reason)
-        else:
-            pose = self.answer.poses[self.answer.chosen]
-            angles = ", ".join(shown(a) for a in np.degrees(pose.q))
-            self.tell("good", f"{pose.name}: {angles} deg")
+    def ready(self) -> None:
+        self.relabel()
+        self.ask()
+        self.query_one(Form).begin()
 
     def relabel(self) -> None:
+        self.query_one("#robot", Choice).offer(self.robots, self.robot.name)
+        self.query_one("#limb", Choice).offer(self.robot.limbs, self.limb.name)
+        frames = [self.say(f"frame.{name}") for name in FRAMES]
+        self.query_one("#frame", Choice).offer(FRAMES, self.frame, frames)
+        begins = ("target", "angles")
+        names = [self.say(f"begin.{name}") for name in begins]
+        self.query_one("#begin", Choice).offer(begins, begins[self.angles is not None], names)
+        self._show_form()
+        if self.answer is not None:
+            self._show(self.answer)
+
+    @on(Resize)
+    def _resized(self) -> None:
+        if self.answer is not None:
+            self.call_after_refresh(self._show_rows)
+
+    # Asking and showing.
+
+    def ask(self) -> None:
+        """Walk the path for what is set now. While one question is out, only the latest other one is kept."""
+        attitude = self.rpy if len(self.limb.joints) >= 6 else None
+        self._asked = Question(
+            self.robot, self.limb, self.target, attitude, self.angles, self.frame, self.solution, self.powered
+        )
+        if not self._busy:
+            self._busy = True
+            self.run_worker(self._answer_all(), group="path", exit_on_error=True)
+
+    async def _answer_all(self) -> None:
+        try:
+            while self._asked is not None:
+                question, self._asked = self._asked, None
+                try:
+                    answer = await asyncio.to_thread(self._asker.ask, question)
+                except KinlabError as error:
+                    self.tell("bad", str(error))
+                    continue
+                self._show(answer)
+        finally:
+            self._busy = False
+
+    def _show(self, answer: Answer) -> None:
+        first = self.answer is None or self.answer.question.limb is not answer.question.limb
+        self.answer = answer
+        if self.angles is not None and self._asked is None:
+            # Where angles lead is the target to go on with.
+            self.target = answer.path.answer.target
+        if first:
+            self._show_form()
+        self.query_one(Form).offer_solutions(answer, self.solution)
+        self._show_rows()
+        self._redraw()
+        self.tell(*verdict(answer, self.say))
+
+    def _show_rows(self) -> None:
+        if self.answer is not None:
+            rows = self.query_one("#rows", Static)
+            width = self.query_one("#path").size.width - 3
+            rows.update(path_rows(self.answer.path, self.say, max(width, 40), roomy=self.has_class("-tall")))
+
+    def _show_form(self) -> None:
+        form = self.query_one(Form)
+        if self.angles is not None:
+            form.show_angles(self.limb, self.angles)
+        else:
+            form.show_target(self.limb, self.target, self.rpy, self.frame, self._asker.box)
+
+    def _redraw(self) -> None:
         for picture in self.query(Picture):
             picture.redraw()
 
+    # Pictures.
+
+    def _draw(self, name: str, columns: int, rows: int, ascii_only: bool) -> Canvas | None:
+        if self.answer is None:
+            return None
+        seen = self.answer.top if name == TOP else self.answer.side
+        path = self.answer.path
+        others = [pose for pose in path.answer.poses if pose is not path.pose]
+        beside = [Drawn(pose.q, "", "other") for pose in others[:1]]
+        if self.ghost:
+            for variant in path.printed:
+                q = angles_of(variant, self.limb)
+                if q is not None:
+                    beside.append(Drawn(q, self.say("printed.ghost"), "printed"))
+        return draw_view(
+            seen, None if path.pose is None else path.pose.q, path.answer.target,
+            beside=beside, limits=self.bounds, columns=columns, rows=rows, ascii_only=ascii_only,
+        )  # fmt: skip
+
+    def _side_caption(self, canvas: Canvas) -> str:
+        return self.say("view.side", cell=shown(canvas.cell_width, 1))
+
+    def _top_caption(self, canvas: Canvas) -> str:
+        return self.say("view.top", cell=shown(canvas.cell_width, 1))
+
+    @on(Picture.Pointed)
+    def _pointed(self, event: Picture.Pointed) -> None:
+        if self.answer is not None:
+            seen = self.answer.top if event.picture.id == TOP else self.answer.side
+            self._move_to(seen.point(event.x, event.y, self.target))
+
+    def action_nudge(self, right: int, up: int) -> None:
+        """Move the target in the view that has the focus, the one from the side where none has."""
+        if self.answer is not None:
+            focused = self.focused.id if self.focused is not None else ""
+            seen = self.answer.top if focused == TOP else self.answer.side
+            self._move_to(self.target + STEP * (right * seen.across + up * seen.up))
+
+    def _move_to(self, target: Array) -> None:
+        """Send the tip to a point (3,); where the path began at angles, it begins at a target from now on."""
+        self.target = np.round(target, 4)
+        self._begin_at_angles(None)
+
+    # The form.
+
     @on(Dial.Changed)
-    def _turned(self, event: Dial.Changed) -> None:
-        self.target_mm["xyz".index(event.dial.id or "x")] = event.number
-        self.solve()
+    def _dialled(self, event: Dial.Changed) -> None:
+        form = self.query_one(Form)
+        if self.angles is not None:
+            self.angles = form.angles(len(self.limb.joints))
+        else:
+            self.target, self.rpy = form.target(self.limb, self.frame), form.rpy()
+        self.ask()
 
     @on(Select.Changed, "#robot")
-    def _other_robot(self, event: Select.Changed) -> None:
-        self.robot = load_robot(str(event.value))
-        self.query_one("#limb", Choice).offer(self.robot.limbs, self.robot.limb().name)
-        self._use(self.robot.limb().name)
+    def _choose_robot(self, event: Select.Changed) -> None:
+        self.take(self.robots[str(event.value)])
 
     @on(Select.Changed, "#limb")
-    def _other_limb(self, event: Select.Changed) -> None:
-        self._use(str(event.value))
+    def _choose_limb(self, event: Select.Changed) -> None:
+        self.take(self.robot, self.robot.limbs[str(event.value)])
 
-    def _use(self, limb: str) -> None:
-        self.limb = self.robot.limbs[limb]
-        self.solve()
+    @on(Select.Changed, "#frame")
+    def _choose_frame(self, event: Select.Changed) -> None:
+        self.frame = str(event.value)
+        self._show_form()
+        self.ask()
+
+    @on(Select.Changed, "#begin")
+    def _choose_begin(self, event: Select.Changed) -> None:
+        self._begin_at_angles(self._posed() if event.value == "angles" else None)
+
+    @on(Select.Changed, "#solution")
+    def _choose_solution(self, event: Select.Changed) -> None:
+        self.solution = str(event.value)
+        self.ask()
+
+    def _posed(self) -> Array:
+        """The angles of now; those of the limits' middle where the target has none."""
+        pose = self.answer and self.answer.path.pose
+        return pose.q if pose else self.limb.limits.mean(axis=0)
+
+    def _begin_at_angles(self, angles: Array | None) -> None:
+        self.angles = angles
+        self.query_one("#begin", Choice).put("target" if angles is None else "angles")
+        self._show_form()
+        self.ask()
+
+    def take(self, robot: Robot, limb: Limb | None = None) -> None:
+        """Go on with another limb, at the place where its paper begins."""
+        self.robot, self.limb = robot, limb or robot.limb()
+        self.target, self.rpy = first_target(self.robot, self.limb), np.zeros(3)
+        self.angles, self.solution = None, ""
+        self.relabel()
+        self.ask()
+
+    # Keys.
 
     def action_next_robot(self) -> None:
         """Take the next robot."""
-        names = robot_names()
-        self.query_one("#robot", Choice).value = names[(names.index(self.robot.name) + 1) % len(names)]
+        names = list(self.robots)
+        self.take(self.robots[names[(names.index(self.robot.name) + 1) % len(names)]])
 
     def action_next_limb(self) -> None:
         """Take the next limb."""
         names = list(self.robot.limbs)
-        self.query_one("#limb", Choice).value = names[(names.index(self.limb.name) + 1) % len(names)]
+        self.take(self.robot, self.robot.limbs[names[(names.index(self.limb.name) + 1) % len(names)]])
 
-    def _side(self, canvas: Canvas) -> str:
-        return self.say("view.side", cell=shown(canvas.cell_width, 1))
+    def action_next_frame(self) -> None:
+        """Show places in the next frame."""
+        self.frame = FRAMES[(FRAMES.index(self.frame) + 1) % len(FRAMES)]
+        self.relabel()
+        self.ask()
 
-    def _top(self, canvas: Canvas) -> str:
-        return self.say("view.top", cell=shown(canvas.cell_width, 1))
+    def action_begin(self) -> None:
+        """Begin at angles, or at a target again."""
+        self._begin_at_angles(self._posed() if self.angles is None else None)
 
-    def _draw(self, which: int, columns: int, rows: int, ascii_only: bool) -> Canvas:
-        pose = (
-            self.answer.poses[self.answer.chosen or 0].q
-            if self.answer.poses
-            else self.limb.limits.mean(axis=0)
-        )
-        return draw_limb(
-            self.limb, pose, self.answer.target, columns=columns, rows=rows, ascii_only=ascii_only
-        )[which]
+    def action_next_solution(self) -> None:
+        """Send the next solution on."""
+        if self.answer is not None and self.answer.path.pose is not None:
+            names = [pose.name for pose in self.answer.path.answer.poses if pose.within_limits]
+            self.solution = names[(names.index(self.answer.path.pose.name) + 1) % len(names)]
+            self.ask()
+
+    def action_home(self) -> None:
+        """Go back to where the limb began."""
+        self.take(self.robot, self.limb)
+
+    def action_ghost(self) -> None:
+        """Draw, or don't, where the printed equations bring the limb."""
+        self.ghost = not self.ghost
+        self._redraw()
+
+    def action_bounds(self) -> None:
+        """Draw, or don't, the limits of the joints."""
+        self.bounds = not self.bounds
+        self._redraw()
+
+    def action_view(self) -> None:
+        """Where there is room for one view only, show the other."""
+        for picture in self.query(Picture):
+            picture.toggle_class("shown")
+
+    def action_power(self) -> None:
+        """Switch the supply of the emulated chain."""
+        self.powered = not self.powered
+        self.ask()
+
+    def check_action(self, action: str, parameters: tuple[object, ...]) -> bool | None:
+        """Only what can be done now is offered."""
+        if action == "view":
+            return self.has_class("-narrow")
+        if action == "power":
+            return self.limb.joints[0].servo is not None and self.limb.joints[0].servo.model.unit == "tick"
+        return True
