@@ -73,7 +73,7 @@ class PacketStation(Station):
         &.view-registers #side, &.view-registers #registers { display: block; }
         &.view-traffic #side, &.view-traffic #traffic { display: block; }
         &.-wide #packet, &.-wide #side, &.-wide #registers, &.-wide #traffic, &.-wide .head { display: block; }
-        &.-wide #side { width: 66; border-left: solid $faint; }
+        &.-wide #side { width: 45%; min-width: 66; border-left: solid $faint; }
         &.-wide #registers { height: 3fr; }
         &.-wide #traffic { height: 2fr; }
         &.-wide Tabs { display: none; }

@@ -13,7 +13,7 @@ from kinlab.dynamixel.sandbox.inspection import traffic
 from kinlab.dynamixel.sandbox.session import Exchange
 from kinlab.tui.stations.packet.styles import content, flowed
 
-INDENT = 24  # where the bytes begin
+INDENT = 23  # where the bytes begin
 
 
 class Traffic(OptionList):
