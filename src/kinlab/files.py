@@ -25,7 +25,7 @@ def file_named(text: str) -> Path:
     path = Path(text)
     if not is_guest():
         return path
-    if path.name != text or text.startswith(".") or "\\" in text:
+    if not text or path.name != text or text.startswith(".") or "\\" in text:
         raise FileError(f"{text}: a session in the browser keeps its files in one folder; give a plain name")
     folder = own_folder() / "files"
     folder.mkdir(parents=True, exist_ok=True)

@@ -9,7 +9,7 @@ GUEST = "KINLAB_GUEST"
 
 def is_guest() -> bool:
     """Whether the one who uses this program sits elsewhere, and came in through `kinlab serve`."""
-    return os.environ.get(GUEST, "0") != "0"
+    return os.environ.get(GUEST, "") not in ("", "0")
 
 
 def refuse_to_guests(what: str) -> None:

@@ -73,21 +73,23 @@ class Session(AppService):
 
     async def run(self) -> None:
         """Pass on what the program shows, until it ends; then the browser hears of it."""
-        await super().run()
+        # The pump ends as if cancelled where the program ends before it has begun.
+        with suppress(asyncio.CancelledError):
+            await super().run()
         await self.remote_close()
 
     async def stop(self) -> None:
         """End the program, by force if it does not go by itself."""
-        process = self._process
-        try:
+        with suppress(TimeoutError):
             await asyncio.wait_for(super().stop(), PATIENCE)
-        except TimeoutError:
-            self._task = None
-        finally:
-            if process and process.returncode is None:
+        process, self._task = self._process, None
+        if process is None:
+            return
+        if process.returncode is None:
+            with suppress(ProcessLookupError):
                 process.kill()
-        if process:
-            await process.wait()
+        await process.wait()
+        self.stdin.close()
 
     async def attend(self) -> None:
         """Pass on what the visitor types and clicks, until the connection ends. What is no message is passed over."""
