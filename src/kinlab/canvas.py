@@ -41,14 +41,18 @@ class Canvas:
         """How much of the world one character is wide, in its unit."""
         return 2.0 * self._per_dot
 
-    def line(self, start: Point, end: Point, role: str, *, dashed: bool = False) -> None:
-        """A straight line; `role` names what it is, for a face to colour."""
+    def line(self, start: Point, end: Point, role: str, *, dashed: bool = False, thick: bool = False) -> None:
+        """A straight line; `role` names what it is, for a face to colour. A thick one is two dots wide."""
         (x0, y0), (x1, y1) = self._dot(start), self._dot(end)
         steps = max(int(max(abs(x1 - x0), abs(y1 - y0))), 1)
         for i in range(steps + 1):
             if dashed and i % 6 >= 3:
                 continue
-            self._set(round(x0 + (x1 - x0) * i / steps), round(y0 + (y1 - y0) * i / steps), role)
+            x, y = round(x0 + (x1 - x0) * i / steps), round(y0 + (y1 - y0) * i / steps)
+            self._set(x, y, role)
+            if thick:
+                steep = abs(y1 - y0) > abs(x1 - x0)
+                self._set(x + steep, y + (not steep), role)
 
     def fill(self, inside: Callable[[float, float], bool], role: str) -> None:
         """Every dot whose place (x, y) is `inside`."""

@@ -51,11 +51,13 @@ def _flatten(points: Array, outwards: Array | None) -> list[Point]:
     return [(float(p[:2] @ outwards), float(p[2])) for p in points]
 
 
-def draw_links(canvas: Canvas, limb: Limb, points: list[Point], target: Point | None) -> None:
+def draw_links(
+    canvas: Canvas, limb: Limb, points: list[Point], target: Point | None, *, thick: bool = False
+) -> None:
     """The links of a limb between the places of its joints, joints and tip marked, and a target that is missed."""
     joint, foot, cross = ("o", "V", "+") if canvas.ascii_only else ("●", "▼", "✚")
     for i in range(len(limb.joints)):
-        canvas.line(points[i], points[i + 1], f"link{i % 3}")
+        canvas.line(points[i], points[i + 1], f"link{i % 3}", thick=thick)
     for point in points[:-1]:
         canvas.mark(point, joint, "joint")
     canvas.mark(points[-1], foot, "tip")

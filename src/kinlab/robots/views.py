@@ -102,7 +102,7 @@ def view(
 
 def _span(ends: Array) -> tuple[float, float]:
     low, high = float(ends[0]), float(ends[1])
-    margin = 0.02 * max(high - low, 1e-3)
+    margin = 0.05 * max(high - low, 1e-3)
     return min(low, 0.0) - margin, max(high, 0.0) + margin
 
 
@@ -127,6 +127,7 @@ def draw_view(
     target: Array | None,
     *,
     beside: Sequence[Drawn] = (),
+    nearest: Array | None = None,
     limits: bool = False,
     columns: int,
     rows: int,
@@ -139,6 +140,7 @@ def draw_view(
         q: the chosen pose (n,), rad; None where there is none.
         target: (3,), metres, limb frame, to be marked.
         beside: other poses, dashed.
+        nearest: the point (3,), metres, limb frame, that is marked as the nearest to a target out of reach.
         limits: whether the limits of the joints are marked at `q`.
         columns, rows: of the picture.
         ascii_only: without braille.
@@ -157,9 +159,11 @@ def draw_view(
             canvas.line(start, end, other.role, dashed=True)
     mark = None if target is None else seen.flat(np.asarray(target)[None])[0]
     if q is not None:
-        draw_links(canvas, limb, seen.flat(limb.frames(q)[:, :3, 3]), mark)
+        draw_links(canvas, limb, seen.flat(limb.frames(q)[:, :3, 3]), mark, thick=True)
     elif mark is not None:
         canvas.mark(mark, "+" if ascii_only else "✚", "target")
+    if nearest is not None:
+        canvas.mark(seen.flat(nearest[None])[0], "x" if ascii_only else "×", "bad")
     for other in beside:
         tip = seen.flat(limb.fk(other.q)[None, :3, 3])[0]
         canvas.label(tip, other.label, other.role)
@@ -180,4 +184,4 @@ def _draw_limits(canvas: Canvas, seen: View, q: Array) -> None:
             turned[i] = end
             joint, tip = limb.frames(turned)[[i, i + 1], :3, 3]
             start, stop = seen.flat(np.stack([joint + 0.15 * (tip - joint), joint + MARK * (tip - joint)]))
-            canvas.line(start, stop, "limit", dashed=True)
+            canvas.line(start, stop, f"link{i % 3}", dashed=True)

@@ -69,6 +69,7 @@ def named(binding: Binding) -> str:
 SHELL = (
     Action("help", "question_mark,f1", "app.help", display="?"),
     Action("palette", "ctrl+p", "app.command_palette", display="^p"),
+    Action("leave", "escape", "screen.leave", shown=False),
     Action("next_station", "ctrl+n", "app.next_station", display="^n"),
     Action("theme", "ctrl+t", "app.theme", display="^t", shown=False),
     Action("language", "ctrl+l", "app.language", display="^l", shown=False),

@@ -57,6 +57,7 @@ class KinlabApp(App[None]):
     ESCAPE_TO_MINIMIZE = False
     TITLE = "KinLab"
     CSS = """
+    SearchIcon { display: none; }
     ToastRack { margin-bottom: 2; }
     Tooltip { background: $panel; color: $foreground; }
     """

@@ -22,7 +22,11 @@ class Actions(Provider):
         station = self.screen
         if not isinstance(station, Station):
             return
-        for action in station.all_actions():
+        for name in STATIONS:
+            title = station.say("shell.open", station=station.say(f"station.{name}"))
+            yield title, station.say(f"about.{name}"), partial(app.open_station, name)
+        # What has a key for each direction comes last: it is rarely looked for here.
+        for action in sorted(station.all_actions(), key=lambda action: bool(action.each)):
             if action.id == "palette":
                 continue
             keys = action.keys.split(",")
@@ -30,9 +34,6 @@ class Actions(Provider):
                 which = f" ({keys[i]})" if action.each else ""
                 title = station.say(f"action.{action.id}.label") + which
                 yield title, station.say(f"action.{action.id}.help"), partial(station.run_action, run)
-        for name in STATIONS:
-            title = station.say("shell.open", station=station.say(f"station.{name}"))
-            yield title, station.say(f"about.{name}"), partial(app.open_station, name)
 
     async def discover(self) -> Hits:
         for title, text, run in self._entries():

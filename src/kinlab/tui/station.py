@@ -140,6 +140,10 @@ class Station(Screen[None]):
             key, values = event.field.problem
             self.tell("bad", self.say(key, **values))
 
+    def action_leave(self) -> None:
+        """Let no field have the keys, so that letters are actions."""
+        self.set_focus(None)
+
     def speak(self) -> None:
         """Show every text in the language of now."""
         for said in self.query(Said):

@@ -5,6 +5,7 @@ from typing import Any
 
 from textual.content import Content
 from textual.widgets import Select
+from textual.widgets._select import SelectCurrent
 
 
 class Choice(Select[str]):
@@ -32,11 +33,16 @@ class Choice(Select[str]):
             labels: what is shown for each; default the names.
         """
         self.names = names = list(names)
+        labels = None if labels is None else list(labels)
         with self.prevent(Select.Changed):
             self.set_options(
                 [(Content(label), name) for label, name in zip(labels or names, names, strict=True)]
             )
             self.value = value
+        # The same name may be called otherwise now, in another language.
+        shown = dict(zip(names, labels or names, strict=True))[value]
+        for current in self.query(SelectCurrent):
+            current.update(Content(shown))
 
     def put(self, value: str) -> None:
         """Choose; tells nobody."""

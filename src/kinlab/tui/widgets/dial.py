@@ -66,6 +66,8 @@ class Dial(Horizontal):
         self.slider = Slider(low, high, step)
         self.field = NumberField(number, unit, low=widest[0], high=widest[1], step=step)
         self.slider.value = number
+        # Arrows up and down turn the field; Tab need not stop twice for one number.
+        self.slider.can_focus = False
 
     @property
     def number(self) -> float:

@@ -1,14 +1,25 @@
 """The line of keys: those that work now, as many as there is room for; each at a click as well."""
 
+from collections.abc import Callable
+from typing import Any
+
+from textual.app import App
 from textual.binding import Binding
 from textual.content import Content
 from textual.events import Click
 from textual.widget import Widget
 
+from kinlab.language import words_of
 from kinlab.tui.actions import named
-from kinlab.tui.widgets.said import say
+from kinlab.tui.widgets.said import SHELL_WORDS, say
 
 GAP = "  "
+
+
+def key_name(app: App[Any], say_it: Callable[[str], str], binding: Binding) -> str:
+    """What a key is called; several that belong together ("arrows") by a word of the language."""
+    name = app.get_key_display(binding)
+    return say_it(f"key.{name}") if f"key.{name}" in words_of(SHELL_WORDS).entries else name
 
 
 class KeyLine(Widget):
@@ -28,7 +39,7 @@ class KeyLine(Widget):
             binding, name = active.binding, named(active.binding)
             if not (binding.show and active.enabled and name) or name in found:
                 continue
-            key = self.app.get_key_display(binding)
+            key = key_name(self.app, self._say, binding)
             # A letter that the field with the focus would take for itself does not work now.
             plain = (
                 binding.key

@@ -28,7 +28,7 @@ class Picture(Widget):
     COMPONENT_CLASSES: ClassVar[set[str]] = {
         f"picture--{role}"
         for role in (
-            "link0", "link1", "link2", "joint", "tip", "target", "axis", "outline", "limit", "other", "printed",
+            "link0", "link1", "link2", "joint", "tip", "target", "axis", "outline", "other", "printed",
             "stance", "swing", "support", "centre", "ground", "now", "good", "bad", "caption",
         )
     }  # fmt: skip
@@ -42,7 +42,7 @@ class Picture(Widget):
         .picture--target { text-style: bold; color: $purple; }
         .picture--printed, .picture--bad { color: $vermillion; }
         .picture--axis, .picture--outline, .picture--ground { color: $faint; }
-        .picture--other, .picture--limit, .picture--support, .picture--caption { color: $quiet; }
+        .picture--other, .picture--support, .picture--caption { color: $quiet; }
         &:focus .picture--caption { text-style: bold reverse; color: $foreground; }
     }
     """

@@ -7,7 +7,7 @@ from textual.containers import VerticalScroll
 from kinlab.kinematics.transforms import Array
 from kinlab.robots import Limb
 from kinlab.tui.stations.robot.asking import Answer
-from kinlab.tui.stations.robot.table import short
+from kinlab.tui.stations.robot.table import Say, short, solution_name
 from kinlab.tui.widgets import Choice, Dial
 from kinlab.units import FARTHEST, to_metres, to_mm
 
@@ -23,9 +23,11 @@ class Form(VerticalScroll, can_focus=False):
     DEFAULT_CSS = """
     Form {
         height: 100%; padding: 0 1; scrollbar-size-vertical: 1;
-        Dial .name { width: 10; }
-        Dial .unit { width: 4; }
-        Dial NumberField { width: 9; margin: 0 1 0 1; }
+        Dial .name { width: 3; }
+        Dial Slider { min-width: 6; margin-right: 1; }
+        Dial NumberField { width: 8; margin: 0 1 0 0; }
+        Dial .unit { width: 3; }
+        &.-named Dial .name { width: 9; }
         #solution { width: 100%; margin-top: 1; }
     }
     """
@@ -44,7 +46,7 @@ class Form(VerticalScroll, can_focus=False):
 
     def _dress(self, i: int, name: str, unit: str, span: tuple[float, float], number: float) -> None:
         dial = self._dials()[i]
-        dial.label(short(name, 9))
+        dial.label(short(name, 8))
         dial.span(*span, 1.0, unit)
         dial.show(number)
 
@@ -64,6 +66,7 @@ class Form(VerticalScroll, can_focus=False):
         for i, name in enumerate(TURNS, 3):
             self._dress(i, name, "deg", (-90.0, 90.0), float(np.degrees(rpy[i - 3])))
         self._use(6 if posed else 3)
+        self.set_class(posed, "-named")
 
     def show_angles(self, limb: Limb, angles: Array) -> None:
         """A dial for each joint."""
@@ -71,6 +74,7 @@ class Form(VerticalScroll, can_focus=False):
         for i, name in enumerate(limb.joint_names):
             self._dress(i, name, "deg", (float(low[i]), float(high[i])), float(np.degrees(angles[i])))
         self._use(len(limb.joints))
+        self.add_class("-named")
 
     def target(self, limb: Limb, frame: str) -> Array:
         """The place that the dials give (3,), metres, limb frame."""
@@ -85,12 +89,12 @@ class Form(VerticalScroll, can_focus=False):
         """The joint angles that they give (n,), rad."""
         return np.radians([dial.number for dial in self._dials()[:count]])
 
-    def offer_solutions(self, answer: Answer, wished: str) -> None:
+    def offer_solutions(self, answer: Answer, say: Say) -> None:
         """The solutions to choose from."""
         poses = [pose for pose in answer.path.answer.poses if pose.within_limits]
         choice = self.query_one("#solution", Choice)
         choice.display = bool(poses)
         if poses and answer.path.pose is not None:
             names = [pose.name for pose in poses]
-            if names != choice.names or choice.value != answer.path.pose.name:
-                choice.offer(names, answer.path.pose.name)
+            labels = [solution_name(name, say) for name in names]
+            choice.offer(names, answer.path.pose.name, labels)

@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 from textual import on
 from textual.app import ComposeResult
-from textual.containers import Horizontal, Vertical, VerticalScroll
+from textual.containers import Horizontal, VerticalScroll
+from textual.content import Content
 from textual.events import Resize
 from textual.widgets import Select, Static
 
@@ -26,10 +27,11 @@ from kinlab.tui.stations.robot.actions import ACTIONS
 from kinlab.tui.stations.robot.asking import Answer, Asker, Question
 from kinlab.tui.stations.robot.form import Form
 from kinlab.tui.stations.robot.kept import kept_in
-from kinlab.tui.stations.robot.table import path_rows
+from kinlab.tui.stations.robot.table import path_rows, print_rows
 from kinlab.tui.stations.robot.telling import verdict
 from kinlab.tui.widgets import Choice, Dial, Picture
 
+BESIDE = 140  # columns that let the print stand beside the path
 STEP = 0.001  # m; how far an arrow key moves the target
 
 
@@ -46,13 +48,15 @@ class RobotStation(Station):
         Form { width: 30; }
         Picture { width: 1fr; height: 100%; margin-left: 1; }
         #path { height: auto; max-height: 10; padding: 0 1; background: $surface; scrollbar-size-vertical: 1; }
-        #rows { height: auto; }
+        #path Horizontal { height: auto; }
+        #rows, #print { height: auto; width: 1fr; }
     }
-    RobotStation.-tall #path { max-height: 24; }
+    RobotStation #path:focus { background: $panel; }
+    RobotStation.-tall #path { max-height: 55%; }
     RobotStation.-wide Form { width: 44; }
     RobotStation.-narrow {
         #robot { width: 18; } #limb { width: 14; }
-        #path { max-height: 10; }
+        #path { max-height: 8; }
         Form { width: 29; }
         Picture { display: none; }
         Picture.shown { display: block; }
@@ -74,6 +78,7 @@ class RobotStation(Station):
         self.frame, self.solution = "limb", ""
         self.powered, self.ghost, self.bounds = True, False, True
         self.answer: Answer | None = None
+        self.stood: Array | None = None
         self._asker = Asker()
         self._asked: Question | None = None
         self._busy = False
@@ -85,14 +90,14 @@ class RobotStation(Station):
             yield Choice(("target", "angles"), "target", id="begin")
             yield Choice(FRAMES, "limb", id="frame")
         with Horizontal(id="top"):
-            with Vertical():
-                yield Form()
+            yield Form()
             yield Picture(
                 partial(self._draw, SIDE), self._side_caption, focusable=True, id=SIDE, classes="shown"
             )
             yield Picture(partial(self._draw, TOP), self._top_caption, focusable=True, id=TOP)
-        with VerticalScroll(id="path", can_focus=False):
+        with VerticalScroll(id="path"), Horizontal():
             yield Static(id="rows", markup=False)
+            yield Static(id="print", markup=False)
 
     # Beginning, and the next time.
 
@@ -162,21 +167,30 @@ class RobotStation(Station):
     def _show(self, answer: Answer) -> None:
         first = self.answer is None or self.answer.question.limb is not answer.question.limb
         self.answer = answer
+        if first or answer.path.pose is not None:
+            self.stood = answer.path.pose.q if answer.path.pose is not None else None
         if self.angles is not None and self._asked is None:
             # Where angles lead is the target to go on with.
             self.target = answer.path.answer.target
         if first:
             self._show_form()
-        self.query_one(Form).offer_solutions(answer, self.solution)
+        self.query_one(Form).offer_solutions(answer, self.say)
         self._show_rows()
         self._redraw()
-        self.tell(*verdict(answer, self.say))
+        refused, self.refused = self.refused, ""
+        self.tell(*(("warn", refused) if refused else verdict(answer, self.say)))
 
     def _show_rows(self) -> None:
         if self.answer is not None:
-            rows = self.query_one("#rows", Static)
-            width = self.query_one("#path").size.width - 3
-            rows.update(path_rows(self.answer.path, self.say, max(width, 40), roomy=self.has_class("-tall")))
+            width, roomy = self.query_one("#path").size.width - 3, self.has_class("-tall")
+            beside = width >= BESIDE
+            width = max(width // 2 if beside else width, 40)
+            path = self.answer.path
+            blocks = [path_rows(path, self.say, width), print_rows(path, self.say, width, roomy=roomy)]
+            self.query_one("#print").display = beside
+            if beside:
+                self.query_one("#print", Static).update(blocks.pop())
+            self.query_one("#rows", Static).update(Content("\n").join(blocks))
 
     def _show_form(self) -> None:
         form = self.query_one(Form)
@@ -196,8 +210,11 @@ class RobotStation(Station):
             return None
         seen = self.answer.top if name == TOP else self.answer.side
         path = self.answer.path
-        others = [pose for pose in path.answer.poses if pose is not path.pose]
-        beside = [Drawn(pose.q, "", "other") for pose in others[:1]]
+        others = [pose.q for pose in path.answer.poses if pose is not path.pose]
+        # Out of reach, the limb stays where it stood.
+        if not others and path.pose is None and self.stood is not None:
+            others = [self.stood]
+        beside = [Drawn(q, "", "other") for q in others[:1]]
         if self.ghost:
             for variant in path.printed:
                 q = angles_of(variant, self.limb)
@@ -205,7 +222,8 @@ class RobotStation(Station):
                     beside.append(Drawn(q, self.say("printed.ghost"), "printed"))
         return draw_view(
             seen, None if path.pose is None else path.pose.q, path.answer.target,
-            beside=beside, limits=self.bounds, columns=columns, rows=rows, ascii_only=ascii_only,
+            beside=beside, nearest=path.answer.nearest, limits=self.bounds,
+            columns=columns, rows=rows, ascii_only=ascii_only,
         )  # fmt: skip
 
     def _side_caption(self, canvas: Canvas) -> str:
@@ -245,26 +263,31 @@ class RobotStation(Station):
 
     @on(Select.Changed, "#robot")
     def _choose_robot(self, event: Select.Changed) -> None:
-        self.take(self.robots[str(event.value)])
+        if event.select.value != self.robot.name:
+            self.take(self.robots[str(event.select.value)])
 
     @on(Select.Changed, "#limb")
     def _choose_limb(self, event: Select.Changed) -> None:
-        self.take(self.robot, self.robot.limbs[str(event.value)])
+        if event.select.value != self.limb.name:
+            self.take(self.robot, self.robot.limbs[str(event.select.value)])
 
     @on(Select.Changed, "#frame")
     def _choose_frame(self, event: Select.Changed) -> None:
-        self.frame = str(event.value)
-        self._show_form()
-        self.ask()
+        if event.select.value != self.frame:
+            self.frame = str(event.select.value)
+            self._show_form()
+            self.ask()
 
     @on(Select.Changed, "#begin")
     def _choose_begin(self, event: Select.Changed) -> None:
-        self._begin_at_angles(self._posed() if event.value == "angles" else None)
+        if (event.select.value == "angles") != (self.angles is not None):
+            self.action_begin()
 
     @on(Select.Changed, "#solution")
     def _choose_solution(self, event: Select.Changed) -> None:
-        self.solution = str(event.value)
-        self.ask()
+        if self.answer and self.answer.path.pose and event.select.value != self.answer.path.pose.name:
+            self.solution = str(event.select.value)
+            self.ask()
 
     def _posed(self) -> Array:
         """The angles of now; those of the limits' middle where the target has none."""

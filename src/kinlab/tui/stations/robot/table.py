@@ -29,10 +29,11 @@ class Rows:
     """Rows of one label, a column for each joint, and an error, for a width."""
 
     def __init__(self, width: int, columns: int) -> None:
-        self.label = 12 if width >= 70 else 10
+        self.label = 12 if width >= 70 else 11
         self.error = 12 if width >= 70 else 10
         self.cell = max(min((width - self.label - self.error) // max(columns, 1), 16), 5)
-        self.width = width
+        # In a wide terminal an error stands near what it belongs to.
+        self.width = min(width, 100)
         self.lines: list[Content] = []
 
     @property
@@ -67,6 +68,11 @@ def short(name: str, width: int) -> str:
     return f"{first[:2]}.{rest}"[:width]
 
 
+def solution_name(name: str, say: Say) -> str:
+    """A solution by the core's own name; angles that a person gave, in the language of now."""
+    return say("given") if name == "as given" else name
+
+
 def error_mm(metres: float | None) -> str:
     """A distance, as an error."""
     if metres is None:
@@ -83,13 +89,12 @@ def error_mm(metres: float | None) -> str:
     )
 
 
-def path_rows(path: WholePath, say: Say, width: int, *, roomy: bool) -> Content:
-    """The whole path.
+def path_rows(path: WholePath, say: Say, width: int) -> Content:
+    """The path itself, from the target to where the servos stand.
 
     Args:
         say: gives the words.
         width: of the table, in characters.
-        roomy: whether there is room for what explains the print.
     """
     answer, pose = path.answer, path.pose
     limb = answer.limb
@@ -104,11 +109,24 @@ def path_rows(path: WholePath, say: Say, width: int, *, roomy: bool) -> Content:
             rows.row(
                 say("row.angles"), _degrees(answer, other.q, rows.digits), say("row.beyond"), "$vermillion"
             )
+    return Content("\n").join(rows.lines)
+
+
+def print_rows(path: WholePath, say: Say, width: int, *, roomy: bool) -> Content:
+    """What stands beside the path: the paper's own equations and measurements, the limits, the command line.
+
+    Args:
+        say: gives the words.
+        width: of the table, in characters.
+        roomy: whether there is room for what explains the print.
+    """
+    answer = path.answer
+    rows = Rows(width, max(len(answer.limb.joints), 3))
     _printed(rows, path, say, roomy)
-    if roomy:
-        rows.row(say("row.limits"), _limits(answer), "deg", "$quiet")
     if path.measured is not None:
         rows.text(say("row.measured"), path.measured.where, f"{path.measured.error_mm:.2f} mm", "$quiet")
+    if roomy:
+        rows.row(say("row.limits"), _limits(answer), "deg", "$quiet")
     rows.text(say("row.command"), command(path), style="$quiet")
     return Content("\n").join(rows.lines)
 
@@ -173,7 +191,7 @@ def _printed(rows: Rows, path: WholePath, say: Say, roomy: bool) -> None:
         if variant.angles is None:
             rows.text(label, variant.note if roomy else say("not_computable"), style="$vermillion")
         else:
-            cells = [shown(float(np.degrees(a)), rows.digits) for a in variant.angles.values()]
+            cells = [f"{np.degrees(a):.{rows.digits}f}" for a in variant.angles.values()]
             rows.row(label, cells, error_mm(variant.error_m), "$vermillion")
         if roomy:
             for fault in variant.faults:

@@ -3,7 +3,7 @@
 from kinlab.robots.reasons import breaches
 from kinlab.tui.numbers import shown
 from kinlab.tui.stations.robot.asking import Answer
-from kinlab.tui.stations.robot.table import Say, error_mm
+from kinlab.tui.stations.robot.table import Say, error_mm, solution_name
 
 
 def verdict(answer: Answer, say: Say) -> tuple[str, str]:
@@ -12,11 +12,11 @@ def verdict(answer: Answer, say: Say) -> tuple[str, str]:
     report = path.answer
     if path.pose is not None:
         if path.arrival is None:
-            return "good", say("told.reached", solution=_solution(path.pose.name, say))
+            return "good", say("told.reached", solution=solution_name(path.pose.name, say))
         if path.arrival_error_m is None:
             return "warn", say("told.off") if not asked.powered else say("told.silent")
         error = error_mm(path.arrival_error_m)
-        return "good", say("told.stands", solution=_solution(path.pose.name, say), error=error)
+        return "good", say("told.stands", solution=solution_name(path.pose.name, say), error=error)
     values: dict[str, object] = {"reason": report.reason}
     if report.poses:
         broken = min((breaches(report.limb, pose.q) for pose in report.poses), key=len)
@@ -33,7 +33,3 @@ def verdict(answer: Answer, say: Say) -> tuple[str, str]:
         place = ", ".join(shown(v, 1) for v in report.place_mm(report.nearest))
         sentence += " " + say("told.nearest", place=place, missed=shown(report.missed_mm, 1))
     return "bad", sentence
-
-
-def _solution(name: str, say: Say) -> str:
-    return say("given") if name == "as given" else name
