@@ -25,7 +25,7 @@ Script = Callable[[Pilot[None]], Awaitable[Any]]
 @pytest.fixture(autouse=True)
 def _own_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Nothing that a person keeps is read or written, and what is seen does not depend on who runs the tests."""
-    monkeypatch.setenv("KINLAB_STATE", str(tmp_path / "state"))
+    monkeypatch.setenv("KINLAB_HOME", str(tmp_path / "state"))
     monkeypatch.setenv("KINLAB_LANG", "en")
     monkeypatch.setenv("TEXTUAL_ANIMATIONS", "none")
     for name in ("KINLAB_ROBOTS", "KINLAB_ASCII", "NO_COLOR"):

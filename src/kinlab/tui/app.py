@@ -15,12 +15,13 @@ from textual.command import CommandPalette, Provider
 from textual.screen import Screen
 
 from kinlab.errors import UsageError
+from kinlab.files import own_folder
 from kinlab.language import LANGUAGES, language, words_of
 from kinlab.tui import themes
 from kinlab.tui.actions import SHELL, Action, bindings
 from kinlab.tui.crash import write_report
 from kinlab.tui.palette import Actions
-from kinlab.tui.settings import Settings, state_folder
+from kinlab.tui.settings import Settings
 from kinlab.tui.station import Station
 from kinlab.tui.stations import STATIONS
 
@@ -69,7 +70,7 @@ class KinlabApp(App[None]):
             folder: where settings are kept; default the user's state folder.
         """
         super().__init__()
-        self.folder = folder or state_folder()
+        self.folder = folder or own_folder()
         self.settings, self.set_aside = Settings.load(self.folder / "tui.json")
         self.tongue = self._first_language()
         self.ascii_only = _plain()

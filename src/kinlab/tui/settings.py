@@ -9,16 +9,6 @@ from typing import Any
 from kinlab.errors import KinlabError
 from kinlab.files import write_whole
 
-FOLDER = "KINLAB_STATE"
-
-
-def state_folder() -> Path:
-    """Where KinLab keeps what it remembers: `$KINLAB_STATE`, else the user's state folder."""
-    from platformdirs import user_state_path
-
-    chosen = os.environ.get(FOLDER)
-    return Path(chosen) if chosen else user_state_path("kinlab")
-
 
 @dataclass
 class Settings:
