@@ -75,7 +75,7 @@ class GaitStation(Station):
         &.page-servos { #swing, #top { display: none; } }
         &.-narrow {
             Transport { display: none; }
-            #left { width: 31; }
+            #left { width: 33; }
             .row NumberField { width: 6; }
         }
         &.-wide {
@@ -221,6 +221,9 @@ class GaitStation(Station):
     def _chosen(self, event: Select.Changed) -> None:
         event.stop()
         name, box = str(event.value), event.select.id
+        # A list tells of its first value after what was kept has taken its place.
+        if event.value != event.select.value:
+            return
         if box == "robot":
             self._use(self.robots[name], find_gait(self.robots[name]).name)
         elif box == "gait":
