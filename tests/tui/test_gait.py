@@ -15,8 +15,8 @@ async def settle(pilot):
     """Until the rig has taken up the walk and measured the instant that is shown."""
     station = pilot.app.screen
     await pilot.pause()
-    await pilot.app.workers.wait_for_complete()
-    await pilot.pause()
+    while station.mill is None and not station.mill_problem:
+        await pilot.pause(0.02)
     while station.mill is not None and (not station.mill.samples or station.mill.samples[-1].t < station.t):
         station._tick()
     station._show()

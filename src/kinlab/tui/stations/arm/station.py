@@ -303,6 +303,7 @@ class ArmStation(Station):
         # A list tells of its first value after what was kept has taken its place.
         if event.value != event.select.value:
             return
+        self.query_one("#side").focus()
         if box == "limb":
             self.limb = self.robot.limbs[name]
             self._put_back()

@@ -1,12 +1,14 @@
 """The Gait stage: a walk that is played, stopped, stepped, and walked on emulated servos meanwhile."""
 
 import time
+from functools import partial
 from typing import Any
 
 import numpy as np
 from textual import on, work
 from textual.app import ComposeResult
 from textual.containers import Horizontal, Vertical
+from textual.timer import Timer
 from textual.widgets import Select, Static
 from textual.worker import get_current_worker
 
@@ -30,6 +32,8 @@ from kinlab.tui.widgets import Choice, Dial, Picture, Plot
 EVERY = 0.05  # s between pictures
 # A picture that comes late moves the walk on by no more than this, s.
 LATEST = 0.2
+# How long nothing may change before the rig takes up a walk, s: a slider that is dragged makes many.
+QUIET = 0.2
 # Ticks of the rig that one picture may wait for, and pictures from one power curve to the next.
 TICKS, POWER_EVERY = 10, 5
 POINTS = 120  # of a curve
@@ -109,6 +113,7 @@ class GaitStation(Station):
         self.cycle: Cycle
         self.mill: Treadmill | None = None
         self.mill_problem = ""
+        self._settling: Timer | None = None
         self._seen = 0.0
         self._facts = ""
         self._pictures = 0
@@ -224,6 +229,7 @@ class GaitStation(Station):
         # A list tells of its first value after what was kept has taken its place.
         if event.value != event.select.value:
             return
+        self.query_one("#diagram").focus()
         if box == "robot":
             self._use(self.robots[name], find_gait(self.robots[name]).name)
         elif box == "gait":
@@ -255,7 +261,9 @@ class GaitStation(Station):
         """Let the emulated robot walk another walk."""
         self._leave_mill()
         self.mill_problem = ""
-        self._open_mill(walk)
+        if self._settling is not None:
+            self._settling.stop()
+        self._settling = self.set_timer(QUIET, partial(self._open_mill, walk))
 
     def _leave_mill(self) -> None:
         if self.mill is not None:
