@@ -316,3 +316,27 @@ def test_what_was_kept_is_not_trusted(kept):
     before = station.state()
     station.restore(kept)
     assert station.state() == before
+
+
+def test_robots_without_a_gait_for_their_legs_are_not_offered(tmp_path, monkeypatch):
+    file = tmp_path / "robots.yaml"
+    file.write_text(
+        """
+robots:
+  spider:
+    kind: hexapod
+    legs:
+      coxa: 20
+      femur: 60
+      tibia: 90
+      joints: leg
+      stance: [90, 0, -70]
+      members:
+        A1: {at: [80, -40, 0], turn: -90}
+        A2: {at: [0, -40, 0], turn: -90}
+        B1: {at: [80, 40, 0], turn: 90}
+        B2: {at: [0, 40, 0], turn: 90}
+"""
+    )
+    monkeypatch.setenv("KINLAB_ROBOTS", str(file))
+    assert list(GaitStation().robots) == ["xl430-hexapod", "krsri-hexapod", "udiebot", "eros"]
