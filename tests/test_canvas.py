@@ -55,6 +55,14 @@ def test_labels_never_cover_marks_or_each_other():
     assert 1 <= text.count("name") <= 4
 
 
+def test_a_label_may_stand_on_the_left_first():
+    for left, text in ((False, "o name"), (True, "name o")):
+        canvas = _square()
+        canvas.mark((0.0, 0.0), "o", "")
+        canvas.label((0.0, 0.0), "name", "", left=left)
+        assert text in canvas.text()
+
+
 def test_ascii_only_needs_no_braille():
     canvas = _square(ascii_only=True)
     canvas.line((-9.0, -9.0), (9.0, 9.0), "line")
