@@ -111,3 +111,19 @@ def test_a_flat_curve_and_a_single_point_are_possible():
     for points in ([(0.0, 0.0), (1.0, 0.0)], [(2.0, 5.0)]):
         canvas, _, _ = chart({"a": points}, 30, 5)
         assert "a" in canvas.text()
+
+
+def test_a_character_tells_the_place_in_its_middle():
+    canvas = _square()
+    for row, column in ((0, 0), (3, 11), (9, 19)):
+        canvas = _square()
+        canvas.mark(canvas.place(column, row), "X", "")
+        assert canvas.text().splitlines()[row][column] == "X"
+
+
+def test_a_chart_far_from_zero_may_leave_it_out():
+    points = [(0.0, 100.0), (1.0, 101.0)]
+    assert chart({"a": points}, 40, 6)[2] == (0.0, 101.0)
+    canvas, _, up = chart({"a": points}, 40, 6, zero=False)
+    assert up == (100.0, 101.0)
+    assert "axis" not in {role for row in canvas.spans() for _, role in row}

@@ -121,7 +121,11 @@ class Canvas:
     def spans(self) -> list[list[tuple[str, str]]]:
         """The picture row by row, as runs of (text, role)."""
         picture = []
+        used = {r for r, _ in self._roles}
         for r in range(self.rows):
+            if r not in used:
+                picture.append([(" " * self.columns, "")])
+                continue
             runs: list[tuple[str, str]] = []
             for c in range(self.columns):
                 char, role = self._char(r, c), self._roles.get((r, c), "")
@@ -152,7 +156,8 @@ class Canvas:
 
     def _cell(self, point: Point) -> tuple[int, int] | None:
         x, y = self._dot(point)
-        row, column = int(y // 4), int(x // 2)
+        # Rounded like the dots of lines, so that a mark covers the end of its line.
+        row, column = round(y) // 4, round(x) // 2
         return (row, column) if 0 <= row < self.rows and 0 <= column < self.columns else None
 
     def _set(self, x: int, y: int, role: str) -> None:
@@ -163,27 +168,34 @@ class Canvas:
 
 
 def chart(
-    series: Mapping[str, Sequence[Point]], columns: int, rows: int, *, ascii_only: bool = False
+    series: Mapping[str, Sequence[Point]],
+    columns: int,
+    rows: int,
+    *,
+    ascii_only: bool = False,
+    zero: bool = True,
 ) -> tuple[Canvas, tuple[float, float], tuple[float, float]]:
     """Curves over one another, each named where it ends: the canvas, and the ranges that x and y fill.
 
-    The axes have scales of their own. Zero of y is in sight, dashed. A gap in a curve is a point that is not a number.
+    The axes have scales of their own. A gap in a curve is a point that is not a number.
 
     Args:
         series: by name, the points of each curve, x ascending.
         columns, rows: of the field, in characters.
         ascii_only: without braille.
+        zero: whether zero of y is in sight, dashed, whatever the curves do.
     """
     real = [p for points in series.values() for p in points if p[1] == p[1]]
     low_x, high_x = min(x for x, _ in real), max(x for x, _ in real)
-    low_y, high_y = min(0.0, *(y for _, y in real)), max(0.0, *(y for _, y in real))
+    ys = [y for _, y in real] + ([0.0] if zero else [])
+    low_y, high_y = min(ys), max(ys)
     # In dots, with room for the names at the right.
     width = 2.0 * (columns - max(map(len, series)) - 3) - 6
     height = 4.0 * rows - 6
     across, up = width / max(high_x - low_x, 1e-300), height / max(high_y - low_y, 1e-300)
     canvas = Canvas(columns, rows, [(0.0, 0.0), (2.0 * columns - 6, height)], ascii_only=ascii_only)
-    zero = -low_y * up
-    canvas.line((0.0, zero), (width, zero), "axis", dashed=True)
+    if low_y <= 0.0 <= high_y:
+        canvas.line((0.0, -low_y * up), (width, -low_y * up), "axis", dashed=True)
     for i, (name, points) in enumerate(series.items()):
         role = f"link{i % 3}"
         places = [((x - low_x) * across, (y - low_y) * up) for x, y in points]

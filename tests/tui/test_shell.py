@@ -3,10 +3,12 @@
 import json
 
 import pytest
+from textual.widgets import Static
 
 from kinlab.language import words_of
 from kinlab.tui.actions import SHELL
 from kinlab.tui.app import _station
+from kinlab.tui.palette import Actions
 from kinlab.tui.station import Station
 from kinlab.tui.stations import STATIONS
 
@@ -26,25 +28,18 @@ def test_every_action_has_a_label_and_a_help_in_every_language(station):
             assert all(entry.values())
 
 
-@pytest.mark.parametrize("size", [(60, 20), (80, 24), (120, 40), (200, 60)])
-def test_the_line_of_keys_is_never_cut_and_always_holds_help_and_quit(lab, station, size):
+def test_the_line_of_keys_holds_help_and_quit_at_every_size_and_focus(lab, station):
     async def script(pilot):
-        line = lab.rows(pilot.app)[-1]
-        assert "? help" in line
-        assert "^q quit" in line
+        for size in ((60, 20), (80, 24), (200, 60)):
+            await pilot.resize_terminal(*size)
+            for key in ("tab", "escape"):
+                await pilot.press(key)
+                await pilot.pause()
+                line = lab.rows(pilot.app)[-1]
+                assert "? help" in line
+                assert line.endswith("^q quit")
 
-    lab.drive(script, station, size)
-
-
-def test_help_lists_every_key_of_the_station(lab, station):
-    async def script(pilot):
-        await pilot.press("f1")
-        seen = lab.text(pilot.app)
-        assert "Esc closes this help" in seen or "Keys" in seen
-        await pilot.press("escape")
-        assert isinstance(pilot.app.screen, Station)
-
-    lab.drive(script, station, (100, 60))
+    lab.drive(script, station)
 
 
 def test_a_terminal_too_small_is_told_the_size_it_needs_and_goes_on_when_it_grows(lab, station):
@@ -56,6 +51,20 @@ def test_a_terminal_too_small_is_told_the_size_it_needs_and_goes_on_when_it_grow
         await pilot.resize_terminal(80, 24)
         await pilot.pause()
         assert "^q quit" in lab.text(pilot.app)
+
+    lab.drive(script, station)
+
+
+def test_help_lists_every_key_and_escape_closes_it(lab, station):
+    async def script(pilot):
+        await pilot.press("f1")
+        await pilot.pause()
+        said = " ".join(str(part.content) for part in pilot.app.screen.query(Static))
+        speaker = pilot.app.screen.station
+        for action in speaker.all_actions():
+            assert speaker.say(f"action.{action.id}.help").split()[0] in said
+        await pilot.press("escape")
+        assert isinstance(pilot.app.screen, Station)
 
     lab.drive(script, station)
 
@@ -104,3 +113,51 @@ def test_the_palette_finds_an_action_by_its_name(lab):
         assert pilot.app.theme == "kinlab-light"
 
     lab.drive(script)
+
+
+def test_the_palette_holds_every_action_of_the_station(lab, station):
+    async def script(pilot):
+        found = Actions(pilot.app.screen)
+        titles = [title for title, _, _ in found._entries()]
+        for action in pilot.app.screen.all_actions():
+            label = pilot.app.screen.say(f"action.{action.id}.label")
+            assert action.id == "palette" or any(title.startswith(label) for title in titles)
+
+    lab.drive(script, station)
+
+
+def test_a_mistake_of_our_own_leaves_a_report_and_no_page_of_code(lab, capsys):
+    async def script(pilot):
+        pilot.app.call_later(lambda: 1 / 0)
+        await pilot.pause()
+
+    with pytest.raises(ZeroDivisionError):
+        lab.drive(script)
+    said = capsys.readouterr().err
+    assert "KinLab has stopped because of a mistake of its own: ZeroDivisionError" in said
+    assert "Please report it" in said
+    assert "Traceback" not in said
+
+
+def test_ctrl_c_leaves_cleanly(lab):
+    async def script(pilot):
+        await pilot.press("ctrl+c")
+        await pilot.pause()
+
+    assert lab.drive(script).return_code == 0
+
+
+def test_a_bare_kinlab_opens_the_laboratory_in_a_terminal_only(monkeypatch, capsys):
+    from kinlab.cli import main
+
+    opened = []
+    monkeypatch.setattr("kinlab.tui.app.run", lambda: opened.append(True) or 0)
+    for terminal in (False, True):
+        monkeypatch.setattr("sys.stdin.isatty", lambda terminal=terminal: terminal, raising=False)
+        monkeypatch.setattr("sys.stdout.isatty", lambda terminal=terminal: terminal, raising=False)
+        monkeypatch.setenv("TERM", "xterm")
+        with pytest.raises(SystemExit) as ended:
+            main([])
+        assert ended.value.code in (0, None)
+        assert bool(opened) is terminal
+    assert "Commands:" in capsys.readouterr().out

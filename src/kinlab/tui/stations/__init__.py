@@ -2,5 +2,7 @@
 
 STATIONS: dict[str, str] = {
     "robot": "kinlab.tui.stations.robot.station:RobotStation",
+    "gait": "kinlab.tui.stations.gait.station:GaitStation",
     "packet": "kinlab.tui.stations.packet.station:PacketStation",
+    "arm": "kinlab.tui.stations.arm.station:ArmStation",
 }

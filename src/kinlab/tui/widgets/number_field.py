@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from textual import on
+from textual.actions import SkipAction
 from textual.binding import Binding, BindingType
 from textual.message import Message
 from textual.widgets import Input
@@ -90,6 +91,10 @@ class NumberField(Input):
         """Go some steps up or down."""
         number = round(self.number / self.step + steps, 6) * self.step
         self._enter(min(max(number, self.low), self.high))
+
+    def action_copy(self) -> None:
+        """Nothing: a field selects its number by itself, so that Ctrl-C would never leave the program."""
+        raise SkipAction
 
     def action_undo(self) -> None:
         """Go back to the last good number; where it stands there, leave the field."""

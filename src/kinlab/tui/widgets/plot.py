@@ -12,15 +12,18 @@ Series = Mapping[str, Sequence[Point]]
 class Plot(Picture):
     """A small plot of up to three curves, named where they end."""
 
-    def __init__(self, title: str = "", x: str = "", y: str = "", *, id: str | None = None) -> None:
+    def __init__(
+        self, title: str = "", x: str = "", y: str = "", *, zero: bool = True, id: str | None = None
+    ) -> None:
         """An empty plot.
 
         Args:
             title: what is plotted.
             x, y: units.
+            zero: whether zero of y is always in sight.
         """
         super().__init__(self._chart, self._line, id=id)
-        self.title, self.x, self.y = title, x, y
+        self.title, self.x, self.y, self._zero = title, x, y, zero
         self._series: Series = {}
         self._spans = ((0.0, 0.0), (0.0, 0.0))
 
@@ -35,10 +38,16 @@ class Plot(Picture):
         if not real or columns < 12 or rows < 2:
             self._spans = ((0.0, 0.0), (0.0, 0.0))
             return Canvas(columns, rows, [(0.0, 0.0), (1.0, 1.0)], ascii_only=ascii_only)
-        canvas, across, up = chart(real, columns, rows, ascii_only=ascii_only)
+        canvas, across, up = chart(real, columns, rows, ascii_only=ascii_only, zero=self._zero)
         self._spans = (across, up)
         return canvas
 
     def _line(self, canvas: Canvas) -> str:
         (x0, x1), (y0, y1) = self._spans
-        return f"{self.title}  {shown(y0)}..{shown(y1)} {self.y}, {shown(x0)}..{shown(x1)} {self.x}"
+        # Three figures say as much as a plot shows.
+        y, x = (f"{_short(low)}..{_short(high)}" for low, high in ((y0, y1), (x0, x1)))
+        return f"{self.title}  {y} {self.y}, {x} {self.x}"
+
+
+def _short(value: float) -> str:
+    return shown(value, 1 if abs(value) >= 10 else 2)
