@@ -374,7 +374,8 @@ class PacketStation(Station):
 
     @on(Select.Changed, "#chain")
     def _other_chain(self, event: Select.Changed) -> None:
-        if event.value == self.session.chain_text:
+        # A list tells of its first value as well, when that may have changed already.
+        if event.value != event.select.value or event.value == self.session.chain_text:
             return
         self.carry_out(f"chain {event.value}")
         self._lines = None
@@ -383,7 +384,8 @@ class PacketStation(Station):
 
     @on(Select.Changed, "#servo")
     def _other_servo(self, event: Select.Changed) -> None:
-        self._look_at(int(str(event.value).split()[0]))
+        if event.value == event.select.value:
+            self._look_at(int(str(event.value).split()[0]))
 
     @on(Tabs.Chosen)
     def _other_view(self, event: Tabs.Chosen) -> None:
