@@ -1,6 +1,7 @@
 """The application: stations as modes, themes, languages, settings; nothing of the laboratory itself."""
 
 import os
+import re
 import sys
 from collections.abc import Callable, Iterable
 from functools import partial
@@ -10,7 +11,7 @@ from typing import Any, ClassVar
 
 from rich.text import Text
 from textual.app import App, SystemCommand
-from textual.binding import BindingType
+from textual.binding import Binding, BindingType
 from textual.command import CommandPalette, Provider
 from textual.screen import Screen
 
@@ -89,6 +90,11 @@ class KinlabApp(App[None]):
     def get_theme_variable_defaults(self) -> dict[str, str]:
         """The colours that the stations' styles name, for themes that do not define them."""
         return themes.DEFAULTS
+
+    def get_key_display(self, binding: Binding) -> str:
+        """A key as it is printed on keyboards: F7, not f7."""
+        name = super().get_key_display(binding)
+        return name.upper() if re.fullmatch(r"f\d+", name) else name
 
     def get_system_commands(self, screen: Screen[Any]) -> Iterable[SystemCommand]:
         """None: the palette shows the actions of the registry, in the language of now."""

@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING, Any, ClassVar, cast
 from textual import on
 from textual.app import ComposeResult
 from textual.containers import Container
-from textual.content import Content
 from textual.events import Resize
 from textual.screen import Screen
 from textual.widgets import Static
@@ -16,7 +15,7 @@ from kinlab.tui.actions import SHELL, Action, bindings
 from kinlab.tui.widgets.bar import StationBar
 from kinlab.tui.widgets.key_line import KeyLine
 from kinlab.tui.widgets.number_field import NumberField
-from kinlab.tui.widgets.said import Said, say
+from kinlab.tui.widgets.said import Said, retext, say
 
 if TYPE_CHECKING:
     from kinlab.tui.app import KinlabApp
@@ -45,9 +44,10 @@ class Message(Static):
         """Show a sentence."""
         if (kind, text) == (self.kind, self.text):
             return
+        if kind != self.kind:
+            self.set_classes(kind)
         self.kind, self.text = kind, text
-        self.set_classes(kind)
-        self.update(Content(f"{SIGNS[kind][ascii_only]} {text}"))
+        retext(self, f"{SIGNS[kind][ascii_only]} {text}")
 
 
 class Station(Screen[None]):

@@ -17,7 +17,7 @@ class Choice(Select[str]):
     """
 
     def __init__(self, names: Iterable[str], value: str, **settings: Any) -> None:
-        self.names = list(names)
+        self.names = self.labels = list(names)
         super().__init__(
             [(Content(name), name) for name in names],
             value=value,
@@ -32,17 +32,16 @@ class Choice(Select[str]):
         Args:
             labels: what is shown for each; default the names.
         """
-        self.names = names = list(names)
-        labels = None if labels is None else list(labels)
+        self.names = list(names)
+        self.labels = self.names if labels is None else list(labels)
         with self.prevent(Select.Changed):
             self.set_options(
-                [(Content(label), name) for label, name in zip(labels or names, names, strict=True)]
+                [(Content(label), name) for label, name in zip(self.labels, self.names, strict=True)]
             )
             self.value = value
         # The same name may be called otherwise now, in another language.
-        shown = dict(zip(names, labels or names, strict=True))[value]
         for current in self.query(SelectCurrent):
-            current.update(Content(shown))
+            current.update(Content(self.labels[self.names.index(value)]))
 
     def put(self, value: str) -> None:
         """Choose; tells nobody."""

@@ -10,6 +10,7 @@ from textual.message import Message
 from textual.widgets import Static
 
 from kinlab.tui.widgets.number_field import NumberField
+from kinlab.tui.widgets.said import retext
 from kinlab.tui.widgets.slider import Slider
 
 
@@ -82,7 +83,7 @@ class Dial(Horizontal):
 
     def label(self, text: str) -> None:
         """Another name."""
-        self._label.update(Content(text))
+        retext(self._label, text)
 
     def span(self, low: float, high: float, step: float, unit: str | None = None) -> None:
         """Other ends of the slider, and another step or unit."""
@@ -90,7 +91,7 @@ class Dial(Horizontal):
         self.field.step = step
         if unit is not None:
             self.field.unit = unit
-            self._unit.update(Content(unit))
+            retext(self._unit, unit)
 
     def show(self, number: float) -> None:
         """Stand at a number; tells nobody."""

@@ -11,6 +11,8 @@ from textual.widgets import Input
 
 from kinlab.tui.numbers import NotANumberError, read, shown
 
+WIDTH = 24
+
 
 class NumberField(Input):
     """A number with its unit: decimal comma or point, other units of the quantity, arrows up and down.
@@ -74,13 +76,18 @@ class NumberField(Input):
         self.problem: tuple[str, dict[str, object]] | None = None
         self.cursor_blink = False
 
+    @property
+    def content_width(self) -> int:
+        """As wide for every short number: one of another width would lay out the whole screen anew."""
+        return max(super().content_width, WIDTH)
+
     def check_consume_key(self, key: str, character: str | None) -> bool:
         """No number has a question mark in it: that key remains the help's."""
         return character != "?" and super().check_consume_key(key, character)
 
     def show(self, number: float) -> None:
-        """Put a number there; tells nobody. A person who is typing the same number is not disturbed."""
-        if self.problem is None and self.has_focus and abs(number - self.number) < 5e-4:
+        """Put a number there; tells nobody. A person who is typing is not disturbed by the number that stood there."""
+        if self.has_focus and abs(number - self.number) < 5e-4:
             return
         self.number = number
         self._judge(None)

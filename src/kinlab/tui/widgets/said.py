@@ -19,6 +19,22 @@ def say(node: DOMNode, key: str, **values: object) -> str:
     return words_of(SHELL_WORDS).say(cast("KinlabApp", node.app).tongue, key, **values)
 
 
+def retext(widget: Static, text: str | Content) -> None:
+    """Show another text in a widget; the screen is laid out anew only where the widget's size may change.
+
+    Laying out costs several times what drawing does, and most texts change in place.
+    """
+    content = Content(text) if isinstance(text, str) else text
+    before = widget.content
+    if isinstance(before, Content) and before.plain == content.plain and before.spans == content.spans:
+        return
+    width, height = widget.size
+    lines = content.split("\n")
+    fits = len(lines) == height and all(line.cell_length <= width for line in lines)
+    own_width = widget.styles.width is not None and widget.styles.width.is_auto
+    widget.update(content, layout=own_width or not fits)
+
+
 class Said(Static):
     """A text of the words: of the station's where they have it, else of the shell's."""
 

@@ -32,26 +32,26 @@ class Form(VerticalScroll, can_focus=False):
     }
     """
 
+    def __init__(self) -> None:
+        super().__init__()
+        self._dials = [Dial(id=f"dial{i}", widest=(-FARTHEST_MM, FARTHEST_MM)) for i in range(MOST_JOINTS)]
+
     def compose(self) -> ComposeResult:
-        for i in range(MOST_JOINTS):
-            yield Dial(id=f"dial{i}", widest=(-FARTHEST_MM, FARTHEST_MM))
+        yield from self._dials
         yield Choice(("-",), "-", id="solution")
 
     def begin(self) -> None:
         """Wait for the first number."""
-        self._dials()[0].field.focus()
-
-    def _dials(self) -> list[Dial]:
-        return list(self.query(Dial))
+        self._dials[0].field.focus()
 
     def _dress(self, i: int, name: str, unit: str, span: tuple[float, float], number: float) -> None:
-        dial = self._dials()[i]
+        dial = self._dials[i]
         dial.label(short(name, 8))
         dial.span(*span, 1.0, unit)
         dial.show(number)
 
     def _use(self, count: int) -> None:
-        for i, dial in enumerate(self._dials()):
+        for i, dial in enumerate(self._dials):
             dial.display = i < count
 
     def show_target(self, limb: Limb, target: Array, rpy: Array, frame: str, box: Array) -> None:
@@ -78,16 +78,16 @@ class Form(VerticalScroll, can_focus=False):
 
     def target(self, limb: Limb, frame: str) -> Array:
         """The place that the dials give (3,), metres, limb frame."""
-        place = to_metres([dial.number for dial in self._dials()[:3]])
+        place = to_metres([dial.number for dial in self._dials[:3]])
         return limb.to_limb(place, frame)
 
     def rpy(self) -> Array:
         """The attitude that they give (3,), rad."""
-        return np.radians([dial.number for dial in self._dials()[3:]])
+        return np.radians([dial.number for dial in self._dials[3:]])
 
     def angles(self, count: int) -> Array:
         """The joint angles that they give (n,), rad."""
-        return np.radians([dial.number for dial in self._dials()[:count]])
+        return np.radians([dial.number for dial in self._dials[:count]])
 
     def offer_solutions(self, answer: Answer, say: Say) -> None:
         """The solutions to choose from."""
@@ -97,4 +97,7 @@ class Form(VerticalScroll, can_focus=False):
         if poses and answer.path.pose is not None:
             names = [pose.name for pose in poses]
             labels = [solution_name(name, say) for name in names]
-            choice.offer(names, answer.path.pose.name, labels)
+            if (names, labels) != (choice.names, choice.labels):
+                choice.offer(names, answer.path.pose.name, labels)
+            elif choice.value != answer.path.pose.name:
+                choice.put(answer.path.pose.name)

@@ -30,6 +30,7 @@ from kinlab.tui.stations.robot.kept import kept_in
 from kinlab.tui.stations.robot.table import path_rows, print_rows
 from kinlab.tui.stations.robot.telling import verdict
 from kinlab.tui.widgets import Choice, Dial, Picture
+from kinlab.tui.widgets.said import retext
 
 BESIDE = 140  # columns that let the print stand beside the path
 STEP = 0.001  # m; how far an arrow key moves the target
@@ -172,7 +173,7 @@ class RobotStation(Station):
         if self.angles is not None and self._asked is None:
             # Where angles lead is the target to go on with.
             self.target = answer.path.answer.target
-        if first:
+        if self._asked is None:
             self._show_form()
         self.query_one(Form).offer_solutions(answer, self.say)
         self._show_rows()
@@ -189,8 +190,8 @@ class RobotStation(Station):
             blocks = [path_rows(path, self.say, width), print_rows(path, self.say, width, roomy=roomy)]
             self.query_one("#print").display = beside
             if beside:
-                self.query_one("#print", Static).update(blocks.pop())
-            self.query_one("#rows", Static).update(Content("\n").join(blocks))
+                retext(self.query_one("#print", Static), blocks.pop())
+            retext(self.query_one("#rows", Static), Content("\n").join(blocks))
 
     def _show_form(self) -> None:
         form = self.query_one(Form)
@@ -248,7 +249,9 @@ class RobotStation(Station):
     def _move_to(self, target: Array) -> None:
         """Send the tip to a point (3,); where the path began at angles, it begins at a target from now on."""
         self.target = np.round(target, 4)
-        self._begin_at_angles(None)
+        if self.angles is not None:
+            self._begin_at_angles(None)
+        self.ask()
 
     # The form.
 
@@ -275,7 +278,6 @@ class RobotStation(Station):
     def _choose_frame(self, event: Select.Changed) -> None:
         if event.select.value != self.frame:
             self.frame = str(event.select.value)
-            self._show_form()
             self.ask()
 
     @on(Select.Changed, "#begin")
@@ -297,7 +299,6 @@ class RobotStation(Station):
     def _begin_at_angles(self, angles: Array | None) -> None:
         self.angles = angles
         self.query_one("#begin", Choice).put("target" if angles is None else "angles")
-        self._show_form()
         self.ask()
 
     def take(self, robot: Robot, limb: Limb | None = None) -> None:
