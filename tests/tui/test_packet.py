@@ -134,6 +134,27 @@ def test_several_commands_in_a_line_and_every_verb_work(at_station):
     at_station(script)
 
 
+def test_a_file_is_carried_out_and_stopped_by_whoever_types(at_station, tmp_path):
+    script_file, long_file = tmp_path / "a.dxl", tmp_path / "b.dxl"
+    script_file.write_text("ping 1\nping 2\n")
+    long_file.write_text("ping 1\n" * 5000)
+
+    async def script(person):
+        await person.enter(f"load {script_file}")
+        assert "servo 2: ok" in person.seen
+        assert len(person.station.session.exchanges) == 2
+        await person.enter(f"load {tmp_path / 'none'}")
+        assert "cannot be read" in person.seen
+        person.station.carry_out(f"load {long_file}")
+        await person.pilot.pause(0)
+        assert "is running" in person.seen
+        await person.enter("")
+        assert "was stopped" in person.seen
+        assert len(person.station.session.history) < 5000
+
+    at_station(script, (120, 24))
+
+
 def test_tab_completes_and_goes_through_what_may_be_meant(at_station):
     async def script(person):
         await person.type("pi")
@@ -216,14 +237,14 @@ def test_a_packet_byte_by_byte_with_its_running_checksum(at_station):
 
 def test_bytes_are_sent_and_dropped_by_key_and_by_click(at_station):
     async def script(person):
-        await person.click_text("f7 bytes")
+        await person.click_text("F7 bytes")
         await person.enter("FF FF 01 02 01 FA")
         assert "the checksum is FA, but the bytes before it give FB" in person.seen
         await person.press("f7")
         assert person.station.session.assembling is None
         await person.press("f7")
         await person.enter("FF FF 02 02 01 FA")
-        await person.click_text("f8 send")
+        await person.click_text("F8 send")
         assert "servo 2: ok" in person.seen
         await person.press("f7")
         await person.enter("FF FF 01 02 01 FB")
@@ -235,7 +256,7 @@ def test_bytes_are_sent_and_dropped_by_key_and_by_click(at_station):
 
 def test_sending_and_taking_back_want_bytes(at_station):
     async def script(person):
-        assert "f8" not in person.seen
+        assert "F8" not in person.seen
         await person.press("f8", "backspace")
         assert not person.station.session.exchanges
         assert person.station.session.assembling is None
@@ -265,7 +286,7 @@ def test_a_wide_terminal_shows_everything_at_once(at_station):
         await person.enter("read 1 present_position")
         for text in ("checksum", "goal_position", "READ 1", "STATUS 1"):
             assert text in person.seen
-        assert "f10" not in person.seen
+        assert "F10" not in person.seen
 
     at_station(script, (120, 40))
 
@@ -414,7 +435,7 @@ def test_each_fault_is_turned_on_and_off_at_a_key(at_station):
 
 def test_faults_by_click_and_what_they_do_to_an_answer(at_station):
     async def script(person):
-        await person.click_text("f9 faults")
+        await person.click_text("F9 faults")
         assert isinstance(person.pilot.app.screen, Faults)
         await person.click(OptionList, offset=(8, 4))
         await person.press("escape")
