@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from kinlab import load_robot
+from kinlab.tui.stations import STATIONS
 from kinlab.tui.web.session import LARGEST, SMALLEST, fitting
 
 
@@ -38,7 +39,7 @@ def test_a_session_reaches_no_serial_port_and_no_file_of_the_machine(serve, tmp_
     async def script(served):
         async with served.visit(size=(120, 30)) as visitor:
             await visitor.see("Reached")
-            await visitor.type("\x1b[13~")  # F3
+            await visitor.type(f"\x1b[1{list(STATIONS).index('packet') + 2}~")
             await visitor.see("dxl>")
             await visitor.type(f"load {outside}\r")
             await visitor.see("give a plain name")
