@@ -20,13 +20,17 @@ class Canvas:
         columns, rows: of the field, in characters.
         points: what must be in sight; the scale is chosen so that it fits, with a margin.
         ascii_only: for terminals and readers without braille.
+        margin: dots that stay free at each edge.
     """
 
-    def __init__(self, columns: int, rows: int, points: Iterable[Point], *, ascii_only: bool = False) -> None:
+    def __init__(
+        self, columns: int, rows: int, points: Iterable[Point], *, ascii_only: bool = False, margin: int = 3
+    ) -> None:
         self.columns, self.rows, self.ascii_only = columns, rows, ascii_only
         xs, ys = zip(*points, strict=True)
         wide, high = max(xs) - min(xs), max(ys) - min(ys)
-        self._per_dot: float = max(wide / (2 * columns - 6), high / (4 * rows - 6), 1e-12)
+        across, up = max(2 * columns - 2 * margin, 1), max(4 * rows - 2 * margin, 1)
+        self._per_dot: float = max(wide / across, high / up, 1e-12)
         self._centre = ((max(xs) + min(xs)) / 2, (max(ys) + min(ys)) / 2)
         self._bits = [[0] * columns for _ in range(rows)]
         self._chars: dict[tuple[int, int], str] = {}
@@ -37,14 +41,18 @@ class Canvas:
         """How much of the world one character is wide, in its unit."""
         return 2.0 * self._per_dot
 
-    def line(self, start: Point, end: Point, role: str, *, dashed: bool = False) -> None:
-        """A straight line; `role` names what it is, for a face to colour."""
+    def line(self, start: Point, end: Point, role: str, *, dashed: bool = False, thick: bool = False) -> None:
+        """A straight line; `role` names what it is, for a face to colour. A thick one is two dots wide."""
         (x0, y0), (x1, y1) = self._dot(start), self._dot(end)
         steps = max(int(max(abs(x1 - x0), abs(y1 - y0))), 1)
         for i in range(steps + 1):
             if dashed and i % 6 >= 3:
                 continue
-            self._set(round(x0 + (x1 - x0) * i / steps), round(y0 + (y1 - y0) * i / steps), role)
+            x, y = round(x0 + (x1 - x0) * i / steps), round(y0 + (y1 - y0) * i / steps)
+            self._set(x, y, role)
+            if thick:
+                steep = abs(y1 - y0) > abs(x1 - x0)
+                self._set(x + steep, y + (not steep), role)
 
     def fill(self, inside: Callable[[float, float], bool], role: str) -> None:
         """Every dot whose place (x, y) is `inside`."""
@@ -56,14 +64,39 @@ class Canvas:
                 ):
                     self._set(x, y, role)
 
+    def outline(
+        self, inside: Callable[[list[float], list[float]], Sequence[Sequence[bool]]], role: str
+    ) -> None:
+        """The edge of a region: every dot inside it that has a dot beside, above or below it that is not.
+
+        Args:
+            inside: gives, for the places of the dots' columns (x) and rows (y, downwards), row by row which are inside.
+            role: what it is. The edge of the field is none of it.
+        """
+        wide, high = 2 * self.columns, 4 * self.rows
+        xs = [(x - self.columns) * self._per_dot + self._centre[0] for x in range(wide)]
+        ys = [(2 * self.rows - y) * self._per_dot + self._centre[1] for y in range(high)]
+        held = inside(xs, ys)
+        for y, row in enumerate(held):
+            above, below = held[max(y - 1, 0)], held[min(y + 1, high - 1)]
+            for x in range(wide):
+                if row[x] and not (
+                    above[x] and below[x] and row[max(x - 1, 0)] and row[min(x + 1, wide - 1)]
+                ):
+                    self._set(x, y, role)
+
     def mark(self, point: Point, char: str, role: str) -> None:
         """One character at a place, over any line."""
         cell = self._cell(point)
         if cell:
             self._chars[cell], self._roles[cell] = char, role
 
-    def label(self, point: Point, text: str, role: str) -> None:
-        """Text beside a place, where there is room for it: right, left, above, below; else nowhere."""
+    def label(self, point: Point, text: str, role: str, *, left: bool = False) -> None:
+        """Text beside a place, where there is room for it: right, left, above, below; else nowhere.
+
+        Args:
+            left: whether to try the left side first.
+        """
         cell = self._cell(point)
         if not cell:
             return
@@ -74,6 +107,8 @@ class Canvas:
             (row - 1, column + 1),
             (row + 1, column + 1),
         ]
+        if left:
+            places[:2] = places[1::-1]
         for r, c in places:
             inside = 0 <= r < self.rows and c >= 0 and c + len(text) <= self.columns
             if inside and not any(
@@ -83,10 +118,20 @@ class Canvas:
                     self._chars[r, c + i], self._roles[r, c + i] = char, role
                 return
 
+    def place(self, column: int, row: int) -> Point:
+        """The place of the world that is in the middle of a character."""
+        x = (2 * column + 1 - self.columns) * self._per_dot + self._centre[0]
+        y = (2 * self.rows - 4 * row - 2) * self._per_dot + self._centre[1]
+        return x, y
+
     def spans(self) -> list[list[tuple[str, str]]]:
         """The picture row by row, as runs of (text, role)."""
         picture = []
+        used = {r for r, _ in self._roles}
         for r in range(self.rows):
+            if r not in used:
+                picture.append([(" " * self.columns, "")])
+                continue
             runs: list[tuple[str, str]] = []
             for c in range(self.columns):
                 char, role = self._char(r, c), self._roles.get((r, c), "")
@@ -117,7 +162,8 @@ class Canvas:
 
     def _cell(self, point: Point) -> tuple[int, int] | None:
         x, y = self._dot(point)
-        row, column = int(y // 4), int(x // 2)
+        # Rounded like the dots of lines, so that a mark covers the end of its line.
+        row, column = round(y) // 4, round(x) // 2
         return (row, column) if 0 <= row < self.rows and 0 <= column < self.columns else None
 
     def _set(self, x: int, y: int, role: str) -> None:
@@ -128,27 +174,34 @@ class Canvas:
 
 
 def chart(
-    series: Mapping[str, Sequence[Point]], columns: int, rows: int, *, ascii_only: bool = False
+    series: Mapping[str, Sequence[Point]],
+    columns: int,
+    rows: int,
+    *,
+    ascii_only: bool = False,
+    zero: bool = True,
 ) -> tuple[Canvas, tuple[float, float], tuple[float, float]]:
     """Curves over one another, each named where it ends: the canvas, and the ranges that x and y fill.
 
-    The axes have scales of their own. Zero of y is in sight, dashed. A gap in a curve is a point that is not a number.
+    The axes have scales of their own. A gap in a curve is a point that is not a number.
 
     Args:
         series: by name, the points of each curve, x ascending.
         columns, rows: of the field, in characters.
         ascii_only: without braille.
+        zero: whether zero of y is in sight, dashed, whatever the curves do.
     """
     real = [p for points in series.values() for p in points if p[1] == p[1]]
     low_x, high_x = min(x for x, _ in real), max(x for x, _ in real)
-    low_y, high_y = min(0.0, *(y for _, y in real)), max(0.0, *(y for _, y in real))
+    ys = [y for _, y in real] + ([0.0] if zero else [])
+    low_y, high_y = min(ys), max(ys)
     # In dots, with room for the names at the right.
     width = 2.0 * (columns - max(map(len, series)) - 3) - 6
     height = 4.0 * rows - 6
     across, up = width / max(high_x - low_x, 1e-300), height / max(high_y - low_y, 1e-300)
     canvas = Canvas(columns, rows, [(0.0, 0.0), (2.0 * columns - 6, height)], ascii_only=ascii_only)
-    zero = -low_y * up
-    canvas.line((0.0, zero), (width, zero), "axis", dashed=True)
+    if low_y <= 0.0 <= high_y:
+        canvas.line((0.0, -low_y * up), (width, -low_y * up), "axis", dashed=True)
     for i, (name, points) in enumerate(series.items()):
         role = f"link{i % 3}"
         places = [((x - low_x) * across, (y - low_y) * up) for x, y in points]

@@ -1,4 +1,4 @@
-"""Files that are whole at every moment, or not there."""
+"""Files that are whole at every moment, or not there; and where those lie that are the user's own."""
 
 import os
 import sys
@@ -7,6 +7,32 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from kinlab.errors import FileError
+from kinlab.guests import is_guest
+
+
+def own_folder() -> Path:
+    """Where settings, progress and history are kept: $KINLAB_HOME, else the system's place for a program's state."""
+    if home := os.environ.get("KINLAB_HOME"):
+        return Path(home)
+    from platformdirs import user_state_path
+
+    return user_state_path("kinlab")
+
+
+def file_named(text: str) -> Path:
+    """The file that a user means; a guest's have plain names and lie in a folder of their own.
+
+    Raises:
+        FileError: a guest names a file elsewhere.
+    """
+    path = Path(text)
+    if not is_guest():
+        return path
+    if not text or path.name != text or text.startswith(".") or "\\" in text:
+        raise FileError(f"{text}: a session in the browser keeps its files in one folder; give a plain name")
+    folder = own_folder() / "files"
+    folder.mkdir(parents=True, exist_ok=True)
+    return folder / text
 
 
 def write_whole(path: Path, content: str | bytes, *, lasting: bool = False) -> None:
@@ -16,7 +42,11 @@ def write_whole(path: Path, content: str | bytes, *, lasting: bool = False) -> N
 
     Args:
         path: of the file.
+<<<<<<< HEAD
         content: all of it.
+=======
+        content: all of it; text as UTF-8.
+>>>>>>> refs/heads/lessons
         lasting: come back only when it would survive a power cut.
 
     Raises:
@@ -24,6 +54,8 @@ def write_whole(path: Path, content: str | bytes, *, lasting: bool = False) -> N
     """
     data = content.encode() if isinstance(content, str) else content
     goal = path.resolve()
+    if is_guest() and not goal.is_relative_to(own_folder().resolve()):
+        raise FileError(f"{path}: a session in the browser writes only into a folder of its own")
     draft = goal.with_name(f".{goal.name}.{os.getpid()}")
     try:
         if path.exists() and not path.is_file():

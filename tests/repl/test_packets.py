@@ -10,10 +10,10 @@ from prompt_toolkit.input import create_pipe_input
 from prompt_toolkit.output.vt100 import Vt100_Output
 
 from kinlab.dynamixel.sandbox import Session, execute
+from kinlab.dynamixel.sandbox.prompting import hint
 from kinlab.repl.completion import LineCompleter
 from kinlab.repl.lexing import styled
 from kinlab.repl.packets import run
-from kinlab.repl.toolbar import toolbar
 
 
 @pytest.fixture
@@ -86,6 +86,7 @@ def texts(session, line):
         ("build write 1 pun", ["punch"]),
         ("step re", ["read", "regwrite", "reset", "reboot"]),
         ("ping 1; wri", ["write"]),
+        ("chain krs", ["krsri-hexapod"]),
         ("power o", ["on", "off"]),
         ("syncwrite tor", ["torque_enable", "torque_limit"]),
         ("table RX", ["RX-24F"]),
@@ -134,14 +135,14 @@ def test_colouring_loses_no_character(session, line):
         ("send GG", "no hexadecimal digit"),
         ("write", "write ID REGISTER VALUE"),
         ("pi", "ping"),
-        ("", "Tab completes"),
+        ("", ""),
     ],
 )
 def test_the_toolbar_helps(session, line, text):
-    assert text in toolbar(session, line)
+    assert text in hint(session, line)
 
 
 def test_the_toolbar_follows_the_packet_that_is_assembled(session):
     execute(session, "step FF FF 01 02")
-    assert toolbar(session, "") == "4 bytes; next: instruction"
-    assert "which would be FB" in toolbar(session, "01")
+    assert hint(session, "") == "4 bytes; next: instruction"
+    assert "which would be FB" in hint(session, "01")

@@ -1,5 +1,7 @@
 """The group `kinlab`, which imports a command's module when that command is asked for."""
 
+import os
+import sys
 from importlib import import_module
 from typing import Annotated, Any
 
@@ -25,6 +27,7 @@ COMMANDS = {
     "learn": "the course: lessons that check themselves, in English and Bahasa Indonesia",
     "bus": "scan, read, write and monitor the servos on a port",
     "papers": "every number that the papers print, recomputed: what follows, what does not, and why",
+    "serve": "the laboratory in a browser, for one person or a class",
 }
 
 
@@ -73,13 +76,18 @@ def _root(
         bool, typer.Option("--version", "-V", callback=_version, is_eager=True, help="Show the version.")
     ] = False,
 ) -> None:
-    """A robotics laboratory for the terminal.
+    """A robotics laboratory for the terminal. Without a command, it opens there.
 
     Pick a robot, give a target in millimetres, and see the joint angles, the
     servo ticks, and how far off the foot lands.
     """
-    if ctx.invoked_subcommand is None:
-        typer.echo(ctx.get_help())
+    if ctx.invoked_subcommand is not None:
+        return
+    if sys.stdin.isatty() and sys.stdout.isatty() and os.environ.get("TERM") != "dumb":
+        from kinlab.tui.app import run
+
+        raise typer.Exit(run())
+    typer.echo(ctx.get_help())
 
 
 kinlab = typer.main.get_command(app)

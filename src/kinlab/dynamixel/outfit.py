@@ -1,6 +1,7 @@
 """Which servos a chain has: a robot's, or those that a user names."""
 
 import re
+from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -95,6 +96,26 @@ def worn_by(machine: "Robot") -> Modules:
         else:
             by_model.append((table.model, [servo.id]))
     return modules_of(by_model)
+
+
+@cache
+def known_chains() -> list[tuple[str, str]]:
+    """What `chain_of` takes, each with what it is: robots that are on a bus, and a single servo of each model."""
+    from kinlab.robots import load_robot, robot_names
+
+    found = []
+    for name in robot_names():
+        robot = load_robot(name)
+        try:
+            modules = worn_by(robot)
+        except UsageError:
+            continue
+        ids = sum(len(ids) for _, ids in modules)
+        found.append((name, f"{ids} servos: {', '.join(dict.fromkeys(model for model, _ in modules))}"))
+    for model in models():
+        axes = load_table(model).axes
+        found.append((f"{model}:{','.join(map(str, range(1, axes + 1)))}", f"a single {model}"))
+    return found
 
 
 def chain_of(text: str, baud: int) -> Chain:

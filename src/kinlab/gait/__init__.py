@@ -1,5 +1,6 @@
 """Gaits: schedules, foot trajectories, walking, stability, and what servos and legs allow."""
 
+from kinlab.gait.cycle import Cycle, cycle_of
 from kinlab.gait.limits import Limits, assess
 from kinlab.gait.motion import Motion
 from kinlab.gait.plan import plan
@@ -12,6 +13,7 @@ from kinlab.gait.walk import Walk
 __all__ = [
     "CURVES",
     "Curve",
+    "Cycle",
     "Event",
     "Gait",
     "Limits",
@@ -20,6 +22,7 @@ __all__ = [
     "Stability",
     "Walk",
     "assess",
+    "cycle_of",
     "find_curve",
     "find_gait",
     "gaits_for",

@@ -43,6 +43,14 @@ class Motion:
     def __repr__(self) -> str:
         return f"<Motion of {self.walk.robot.name}: {self.t.size} frames>"
 
+    def frame(self, number: int) -> "Motion":
+        """One of N frames (N,), by its number."""
+        return Motion(
+            self.walk, self.t[number], self.swing[number], self.hold[number], self.level[number],
+            self.place[number], self.feet[number], self.q[number], self.reachable[number],
+            None if self.soles is None else self.soles[number],
+        )  # fmt: skip
+
     @cached_property
     def body(self) -> Array:
         """Poses of the body in the ground frame (..., 4, 4), metres."""

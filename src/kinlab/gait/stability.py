@@ -70,6 +70,13 @@ class Stability:
             f"<Stability of {self.motion.walk.robot.name}: least margin {np.min(self.static) * 1000:.1f} mm>"
         )
 
+    def frame(self, number: int) -> "Stability":
+        """One of F frames (F,), by its number."""
+        return Stability(
+            self.motion.frame(number), self.down[number], self.centre[number], self.contacts[number],
+            self.static[number], self.longitudinal[number],
+        )  # fmt: skip
+
     @cached_property
     def energy(self) -> Array:
         """The normalised energy stability margin (...), metres."""

@@ -14,6 +14,8 @@ from kinlab.robots import Limb
 # Section 4.1.1, in m and the paper's axes: 20 cm along y, 2.5 mm every 16 ms.
 FROM, TO = np.array([-0.11322, 0.07653, 0.0]), np.array([-0.11322, 0.27653, 0.0])
 CYCLE, DURATION = 0.016, 1.28
+# How long an arm that goes there and back waits at each end, s.
+REST = 0.8
 # In the plane theta0 = 0, where J32 is 0, and a line out of it.
 LINES = {
     "in the experiment": (tuple(FROM), tuple(TO)),
@@ -51,6 +53,15 @@ def line(
             f"the line leaves the workspace at {place} mm (paper frame), step {first} of {len(points) - 1}"
         )
     return follow(limb.axes, limb.links, found.q[0], points, CYCLE)
+
+
+def there_and_back(limb: Limb, profile: str = "quintic", rest: float = REST) -> Track:
+    """The experiment's line and back, with a rest of `rest` seconds at each end: a track that ends where it begins."""
+    points = line(limb, profile).points
+    pause = np.repeat(points[-1:], round(rest / CYCLE), axis=0)
+    back = np.repeat(points[:1], round(rest / CYCLE), axis=0)
+    whole = np.concatenate([points, pause, points[::-1], back])
+    return follow(limb.axes, limb.links, limb.ik(whole[0]).q, whole, CYCLE)
 
 
 def misprint(limb: Limb, track: Track) -> Track:

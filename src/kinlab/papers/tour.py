@@ -3,7 +3,11 @@
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+
+from kinlab.kinematics.transforms import Array
 from kinlab.papers.as_printed import AsPrinted, as_printed
+from kinlab.robots import Limb, Robot
 from kinlab.robots.load import shipped_robots
 from kinlab.robots.target import TargetReport, solve_target
 from kinlab.units import to_metres
@@ -48,6 +52,16 @@ TARGETS = (
         "section 4.1.1, start of the experiment",
     ),
 )
+
+
+def first_target(robot: Robot, limb: Limb) -> Array:
+    """A place (3,), metres, limb frame, to begin with: the tour's, else the stance, else the middle of the limits."""
+    for name, limb_name, target, unit, frame, _ in TARGETS:
+        if (name, limb_name) == (robot.name, limb.name):
+            return limb.to_limb(to_metres(target, unit), frame)
+    if limb.stance is not None:
+        return limb.stance
+    return np.asarray(limb.fk(limb.limits.mean(axis=0))[:3, 3])
 
 
 def tour() -> list[Stop]:

@@ -1,7 +1,6 @@
 """The prompt of the packet sandbox: history, completion, bytes coloured by their field while one types."""
 
 import os
-from pathlib import Path
 
 from prompt_toolkit import PromptSession, print_formatted_text
 from prompt_toolkit.auto_suggest import AutoSuggestFromHistory
@@ -12,10 +11,11 @@ from prompt_toolkit.output import ColorDepth, Output
 from prompt_toolkit.styles import Style
 
 from kinlab.dynamixel.sandbox import Session, execute
+from kinlab.dynamixel.sandbox.prompting import hint
 from kinlab.errors import KinlabError
+from kinlab.files import own_folder
 from kinlab.repl.completion import LineCompleter
 from kinlab.repl.lexing import LineLexer
-from kinlab.repl.toolbar import toolbar
 
 STYLE = Style.from_dict(
     {
@@ -36,6 +36,7 @@ STYLE = Style.from_dict(
     }
 )
 WELCOME = "Dynamixel packets byte by byte. Try: ping 1, step, help. Ctrl-D leaves."
+KEYS = "Tab completes, help lists the commands, Ctrl-D leaves"
 
 
 def run(session: Session, source: Input | None = None, sink: Output | None = None) -> None:
@@ -49,7 +50,7 @@ def run(session: Session, source: Input | None = None, sink: Output | None = Non
         auto_suggest=AutoSuggestFromHistory(),
         completer=LineCompleter(session),
         lexer=LineLexer(session),
-        bottom_toolbar=lambda: toolbar(session, prompt.default_buffer.text),
+        bottom_toolbar=lambda: hint(session, prompt.default_buffer.text) or KEYS,
         style=STYLE,
         color_depth=ColorDepth.DEPTH_1_BIT if os.environ.get("NO_COLOR") else None,
         complete_while_typing=False,
@@ -88,9 +89,7 @@ def _prompt(session: Session) -> str:
 
 def _history() -> History:
     """A file of one's own in the user's state folder; none where that cannot be written."""
-    from platformdirs import user_state_path
-
-    path: Path = user_state_path("kinlab") / "packet-history"
+    path = own_folder() / "packet-history"
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         os.close(os.open(path, os.O_CREAT | os.O_APPEND | os.O_WRONLY, 0o600))

@@ -5,6 +5,7 @@ from kinlab.rig.path import Path, path_of
 from kinlab.rig.record import Record
 from kinlab.rig.result import WalkResult, costs
 from kinlab.rig.rig import Reading, Rig
+from kinlab.rig.treadmill import Treadmill
 from kinlab.rig.walking import Errand, Order, Throttle, check_steady, prepare, span, sweep, walk_on
 
 __all__ = [
@@ -16,6 +17,7 @@ __all__ = [
     "Rig",
     "Sample",
     "Throttle",
+    "Treadmill",
     "WalkResult",
     "check_steady",
     "costs",

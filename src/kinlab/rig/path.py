@@ -18,7 +18,7 @@ class Path:
 
     Attributes:
         step: s.
-        end: when it is over, s.
+        end: when it is over, s. A path without an end begins anew after its last frame, which is its first.
         q: joint angles (F, J), rad.
         ticks: commands (F, J).
         torques: of the weight on the joints (F, J), N m.
@@ -43,7 +43,9 @@ class Path:
         return self._between(self.torques, t)
 
     def _between(self, frames: Array, t: ArrayLike) -> Array:
-        at = np.clip(np.asarray(t) / self.step, 0.0, len(frames) - 1.0)
+        last = len(frames) - 1.0
+        at = np.asarray(t) / self.step
+        at = at % last if self.end == np.inf else np.clip(at, 0.0, last)
         before = np.minimum(at.astype(int), len(frames) - 2)
         joints = np.arange(frames.shape[1])
         first = frames[before, joints]
@@ -51,15 +53,19 @@ class Path:
 
 
 def path_of(walk: Walk, wiring: Wiring, rate: float) -> Path:
-    """The frames of a walk from standing and back to it, `rate` of them a second.
+    """The frames of a walk, `rate` of them a second; of one that goes on for ever, at least as many, of one cycle.
 
     Raises:
         KinlabError: a foot is out of reach, or a servo cannot turn that far.
     """
-    count = int(np.ceil(walk.duration * rate)) + 2
-    motion = walk.at(np.arange(count) / rate)
+    if walk.pace is None:
+        count = int(np.ceil(walk.period * rate)) + 1
+        step = walk.period / (count - 1)
+    else:
+        count, step = int(np.ceil(walk.duration * rate)) + 2, 1 / rate
+    motion = walk.at(np.arange(count) * step)
     if not motion.reachable.all():
         frame, leg = np.argwhere(~motion.reachable)[0]
-        raise KinlabError(f"{walk.robot.legs[leg].name} is out of reach at {frame / rate:.3f} s")
+        raise KinlabError(f"{walk.robot.legs[leg].name} is out of reach at {frame * step:.3f} s")
     q = motion.q.reshape(count, -1)
-    return Path(1 / rate, walk.duration, q, wiring.ticks(q), weight_torques(motion).reshape(count, -1))
+    return Path(step, walk.duration, q, wiring.ticks(q), weight_torques(motion).reshape(count, -1))

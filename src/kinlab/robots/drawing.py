@@ -40,7 +40,7 @@ def draw_limb(
         around = 0.2 * float(np.linalg.norm(limb.links, axis=1).sum()) * 1000
         frame = [*flat, (-around, -around), (around, around), *([mark] if mark else [])]
         canvas = Canvas(columns, rows, frame, ascii_only=ascii_only)
-        _draw(canvas, limb, flat, mark)
+        draw_links(canvas, limb, flat, mark)
         views.append(canvas)
     return views[0], views[1]
 
@@ -51,10 +51,13 @@ def _flatten(points: Array, outwards: Array | None) -> list[Point]:
     return [(float(p[:2] @ outwards), float(p[2])) for p in points]
 
 
-def _draw(canvas: Canvas, limb: Limb, points: list[Point], target: Point | None) -> None:
+def draw_links(
+    canvas: Canvas, limb: Limb, points: list[Point], target: Point | None, *, thick: bool = False
+) -> None:
+    """The links of a limb between the places of its joints, joints and tip marked, and a target that is missed."""
     joint, foot, cross = ("o", "V", "+") if canvas.ascii_only else ("●", "▼", "✚")
     for i in range(len(limb.joints)):
-        canvas.line(points[i], points[i + 1], f"link{i % 3}")
+        canvas.line(points[i], points[i + 1], f"link{i % 3}", thick=thick)
     for point in points[:-1]:
         canvas.mark(point, joint, "joint")
     canvas.mark(points[-1], foot, "tip")

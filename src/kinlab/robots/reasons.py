@@ -1,5 +1,7 @@
 """Why a limb does not get to a target, in words."""
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from kinlab.kinematics.transforms import Array
@@ -10,16 +12,33 @@ from kinlab.robots.model import LIMIT_SLACK, Limb
 SAME_PLACE = 1e-9
 
 
-def beyond_limits(limb: Limb, q: Array) -> tuple[str, ...]:
-    """What of the angles `q` (n,), rad, breaks a limit."""
-    lower, upper = np.degrees(limb.limits)
+@dataclass(frozen=True)
+class Breach:
+    """An angle beyond a limit of its joint, both in degrees."""
+
+    joint: str
+    angle_deg: float
+    limit_deg: float
+
+    def __str__(self) -> str:
+        side = "below" if self.angle_deg < self.limit_deg else "above"
+        return f"{self.joint} {self.angle_deg:.2f} deg is {side} its limit of {self.limit_deg:.1f}"
+
+
+def breaches(limb: Limb, q: Array) -> tuple[Breach, ...]:
+    """The angles of `q` (n,), rad, that break a limit, from the body to the tip."""
+    low, high = limb.limits
     found = []
-    for i, (joint, angle) in enumerate(zip(limb.joint_names, np.degrees(q), strict=True)):
-        if q[i] < limb.limits[0, i] - LIMIT_SLACK:
-            found.append(f"{joint} {angle:.2f} deg is below its limit of {lower[i]:.1f}")
-        elif q[i] > limb.limits[1, i] + LIMIT_SLACK:
-            found.append(f"{joint} {angle:.2f} deg is above its limit of {upper[i]:.1f}")
+    for i, (name, angle) in enumerate(zip(limb.joint_names, np.degrees(q), strict=True)):
+        if q[i] < low[i] - LIMIT_SLACK or q[i] > high[i] + LIMIT_SLACK:
+            limit = low[i] if q[i] < low[i] else high[i]
+            found.append(Breach(name, float(angle), float(np.degrees(limit))))
     return tuple(found)
+
+
+def beyond_limits(limb: Limb, q: Array) -> tuple[str, ...]:
+    """What of the angles `q` (n,), rad, breaks a limit, in words."""
+    return tuple(map(str, breaches(limb, q)))
 
 
 def why_unreachable(limb: Limb, target: Array, found: Inverse, nearest: Array) -> str:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from kinlab.kinematics.transforms import Array, rpy_to_rotation
+from kinlab.kinematics.transforms import Array, rpy_to_rotation, wrap
 from kinlab.names import resolve
 from kinlab.robots.inverse import inverse_kinematics, nearest
 from kinlab.robots.model import FRAMES, Limb, Robot
@@ -18,6 +18,9 @@ from kinlab.units import check_place, finite, shown_mm
 
 if TYPE_CHECKING:
     from kinlab.kinematics.numeric import Solution
+
+# Poses of which no joint differs by more (rad) are one.
+SAME_POSE = 1e-6
 
 
 @dataclass(frozen=True)
@@ -207,6 +210,32 @@ def solve_target(
     return TargetReport(
         robot, limb, frame, point, rotation, poses, chosen, reachable, reason, closest, attempt
     )
+
+
+def solve_angles(robot: Robot, limb: Limb, q: ArrayLike, *, frame: str = "limb") -> TargetReport:
+    """The path begun at joint angles (n,), rad: the target is where they bring the tip.
+
+    The pose that was given stands first, as "as given"; behind it, other ways to the same place.
+
+    Raises:
+        UsageError: numbers that are not finite, a wrong count of them, a wrong name.
+    """
+    finite(q, "angles")
+    q = np.asarray(q, float)
+    frame = resolve(frame, FRAMES, "frame")
+    pose = limb.fk(q)
+    point, rotation = pose[:3, 3], pose[:3, :3] if len(limb.joints) >= 6 else None
+    poses = [_pose(limb, "as given", q, point)]
+    if limb.closed_form is not None:
+        found = inverse_kinematics(limb, point, rotation)
+        for name, other in zip(found.names, found.solutions, strict=True):
+            if np.isfinite(other).all() and np.abs(wrap(other - q)).max() > SAME_POSE:
+                poses.append(_pose(limb, name, other, point))
+    fits = poses[0].within_limits
+    return TargetReport(
+        robot, limb, frame, point, rotation, tuple(poses), 0 if fits else None, fits,
+        "; ".join(poses[0].beyond), None,
+    )  # fmt: skip
 
 
 def _why_not(attempt: "Solution", poses: tuple[PoseReport, ...]) -> str:

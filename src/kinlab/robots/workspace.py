@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from kinlab.canvas import Point
 from kinlab.errors import UsageError
 from kinlab.kinematics import chain
 from kinlab.kinematics.transforms import Array
@@ -35,6 +36,15 @@ class Section:
         """Whether the place of the section nearest to (`across`, `up`), metres, is reachable."""
         j, i = int(_nearest(self.across, across)), int(_nearest(self.up, up))
         return 0 <= i < len(self.up) and 0 <= j < len(self.across) and bool(self.reachable[i, j])
+
+    def held(self, across: ArrayLike, up: ArrayLike) -> list[list[bool]]:
+        """`holds` for every place of a grid, metres, row by row."""
+        j, i = _nearest(self.across, across), _nearest(self.up, up)
+        rows, columns = self.reachable.shape
+        known = ((i >= 0) & (i < rows))[:, None] & ((j >= 0) & (j < columns))
+        found = known & self.reachable[np.clip(i, 0, rows - 1)[:, None], np.clip(j, 0, columns - 1)]
+        answer: list[list[bool]] = found.tolist()
+        return answer
 
     def to_json(self) -> dict[str, Any]:
         """Coordinates in mm, and rows of 0 and 1."""
@@ -123,6 +133,35 @@ def workspace(
         _section(limb, tips, low, high, 1, 0.0, columns, rows),
         _section(limb, tips, low, high, 2, height, columns, rows),
     )  # fmt: skip
+
+
+def cut(
+    limb: Limb,
+    origin: ArrayLike,
+    across: ArrayLike,
+    up: ArrayLike,
+    spans: tuple[Point, Point],
+    *,
+    rotation: ArrayLike | None = None,
+    columns: int = 96,
+    rows: int = 72,
+) -> Section | None:
+    """A cut through the workspace on any plane; None for limbs without a closed form to try places with.
+
+    Args:
+        limb: whose.
+        origin: a point (3,) of the plane, metres, limb frame.
+        across, up: unit vectors (3,) in it.
+        spans: from where to where it goes across, and up, metres.
+        rotation: the attitude (3, 3) of the tip, for limbs that choose it; level where not given.
+        columns, rows: how many places are tried.
+    """
+    if limb.closed_form is None:
+        return None
+    x, y = np.linspace(*spans[0], columns), np.linspace(*spans[1], rows)
+    grid = np.asarray(origin) + x[:, None] * np.asarray(across) + y[:, None, None] * np.asarray(up)
+    posed = rotation if limb.closed_form.needs_pose else None
+    return Section("", x, y, inverse_kinematics(limb, grid, posed).reachable)
 
 
 def _section(

@@ -8,6 +8,7 @@ import serial
 
 from kinlab.dynamixel.chain import Clock, RealClock
 from kinlab.dynamixel.ports import PortError
+from kinlab.guests import refuse_to_guests
 
 # A port that goes away shows in many ways: pyserial passes most of them on as they are.
 GONE: tuple[type[Exception], ...] = (serial.SerialException, OSError, TypeError)
@@ -25,6 +26,7 @@ class SerialPort:
     latency = 0.02
 
     def __init__(self, name: str, baud: int) -> None:
+        refuse_to_guests(f"the port {name}")
         self.name = name
         self.clock: Clock = RealClock()
         self._speed = baud

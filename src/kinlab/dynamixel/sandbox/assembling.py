@@ -28,11 +28,18 @@ def step(session: Session, rest: str) -> Outcome:
         session.assembling = so_far[:-1]
     else:
         session.assembling = so_far + parse_hex(rest)
-    data = session.assembling
+    return under_way(session, session.assembling, len(so_far) if rest != "back" else len(session.assembling))
+
+
+def under_way(session: Session, data: bytes, known: int = 0) -> Outcome:
+    """A packet that is being put together: what its bytes are, the running check, and what comes next.
+
+    Args:
+        known: how many bytes at the beginning need no words any more.
+    """
     dissection = _unfinished(session, data)
     lines: list[Line] = [[("arrow", "+> "), *byte_spans(dissection)]]
-    shown = len(so_far) if rest != "back" else len(data)
-    lines += field_lines(_only_from(dissection, shown))
+    lines += field_lines(_only_from(dissection, known))
     lines += [[("bad", f"   ! {p.message} (byte {p.offset})")] for p in dissection.problems]
     if dissection.next:
         lines.append([("check", f"   {_running(dissection, data)}")])

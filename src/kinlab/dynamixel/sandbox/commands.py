@@ -1,8 +1,6 @@
 """`execute(session, line)`: every line that the sandbox understands."""
 
-import os
 from collections.abc import Callable, Iterator
-from pathlib import Path
 from typing import NamedTuple
 
 from kinlab.dynamixel.codec.hextext import show_hex
@@ -12,6 +10,7 @@ from kinlab.dynamixel.sandbox.display import packet_lines
 from kinlab.dynamixel.sandbox.requests import REQUESTS, build_packet
 from kinlab.dynamixel.sandbox.session import ExpectationError, Outcome, Session
 from kinlab.errors import FileError, KinlabError, UsageError
+from kinlab.files import file_named, write_whole
 from kinlab.names import suggestion
 
 DEEPEST_LOAD = 8
@@ -119,16 +118,22 @@ def _help(session: Session, rest: str) -> Outcome:
 def _save(session: Session, rest: str) -> Outcome:
     if not rest:
         raise UsageError("usage: save FILE")
-    path = Path(rest)
+    path = file_named(rest)
     beginning = [f"chain {session.chain_text}"] if session.chain else []
-    draft = path.with_name(f".{path.name}.{os.getpid()}")
-    try:
-        draft.write_text("\n".join([*beginning, *session.history]) + "\n", encoding="utf-8")
-        os.replace(draft, path)
-    except OSError as error:
-        draft.unlink(missing_ok=True)
-        raise FileError(f"{path}: cannot be written: {error.strerror}") from None
+    write_whole(path, "\n".join([*beginning, *session.history]) + "\n")
     return Outcome(lines=[[("good", f"{len(session.history)} line(s) saved to {path}")]])
+
+
+def read_script(name: str) -> str:
+    """The lines of a file.
+
+    Raises:
+        FileError: it cannot be read.
+    """
+    try:
+        return file_named(name).read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        raise FileError(f"{name}: cannot be read: {getattr(error, 'strerror', None) or error}") from None
 
 
 def _load(session: Session, rest: str) -> Outcome:
@@ -136,10 +141,7 @@ def _load(session: Session, rest: str) -> Outcome:
         raise UsageError("usage: load FILE")
     if session.loading >= DEEPEST_LOAD:
         raise FileError(f"{rest}: files that load each other")
-    try:
-        text = Path(rest).read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        raise FileError(f"{rest}: cannot be read: {getattr(error, 'strerror', None) or error}") from None
+    text = read_script(rest)
     session.loading += 1
     try:
         outcomes = list(run_script(session, text))

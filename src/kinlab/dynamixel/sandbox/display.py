@@ -50,12 +50,13 @@ def field_lines(dissection: Dissection) -> list[Line]:
     """One line for each field."""
     lines: list[Line] = []
     for part in dissection.fields:
-        shown = show_hex(part.data)
+        style = style_of(part.name)
         lines.append(
             [
                 ("dim", f"   {part.offset:>3}  "),
-                (style_of(part.name), f"{shown:<12} {part.name:<12}"),
-                ("", f" {part.meaning}"),
+                (style, f"{show_hex(part.data):<12} "),
+                (style, f"{part.name:<12} "),
+                ("", part.meaning),
             ]
         )
     return lines

@@ -24,7 +24,7 @@ from kinlab.errors import KinlabError, UsageError
 from kinlab.kinematics.resolved_motion import Track, inverse_step
 from kinlab.kinematics.transforms import Array
 from kinlab.names import resolve
-from kinlab.rig.arm.record import Record
+from kinlab.rig.arm.record import Moment, Record
 from kinlab.rig.arm.servos import ArmServos
 
 KGF_CM = GRAVITY / 100  # N m
@@ -106,61 +106,84 @@ def run(
         RunawayError: the loop diverged.
         KinlabError: a servo has not answered for PATIENCE cycles in a row.
     """
-    clock = servos.bus.port.clock
     pushes = servos.world.pushes if servos.world else ()
-    record = Record.empty(servos.limb, track, settings.dt, clock.now(), pushes)
+    record = Record.empty(servos.limb, track, settings.dt, servos.bus.port.clock.now(), pushes)
+    loop = Loop(servos, track, settings, record.causes)
     servos.bus.tap = record.packets.append
-    if servos.world:
-        servos.world.began = record.began
     try:
-        _cycles(servos, track, settings, record, tell)
+        for k in range(len(track.q)):
+            record.note(k, loop.cycle(k))
+            if tell:
+                tell(k, record)
+            loop.wait()
     finally:
         servos.bus.tap = None
     return record
 
 
-def _cycles(
-    servos: ArmServos,
-    track: Track,
-    settings: Settings,
-    record: Record,
-    tell: Callable[[int, Record], None] | None,
-) -> None:
-    clock, n = servos.bus.port.clock, len(servos.servos)
-    machine = Machine(servos, track, settings)
-    due = start = record.began
-    silent = np.zeros(n, int)
-    for k in range(len(track.q)):
+class Loop:
+    """The loop, one cycle at a time.
+
+    Attributes:
+        machine: that computes; its settings may change between two cycles, but for their cycle time.
+        causes: why answers were missed, and how often.
+    """
+
+    def __init__(
+        self, servos: ArmServos, track: Track, settings: Settings, causes: dict[str, int] | None = None
+    ) -> None:
+        self.machine = Machine(servos, track, settings)
+        self.causes = {} if causes is None else causes
+        self._servos, self._clock = servos, servos.bus.port.clock
+        self._silent = np.zeros(len(servos.servos), int)
+        self._start = self._due = self._clock.now()
+        if servos.world:
+            servos.world.began = self._start
+
+    def cycle(self, k: int) -> Moment:
+        """READ, compute and WRITE for the track's point `k`.
+
+        Raises:
+            RunawayError, KinlabError: as `run`.
+        """
+        servos, machine, clock = self._servos, self.machine, self._clock
         begun = clock.now()
-        missed = np.zeros(n, bool)
-        for j in range(n):
+        missed = np.zeros(len(servos.servos), bool)
+        for j in range(len(missed)):
             try:
                 machine.real[j], machine.load[j] = servos.read(j)
             except BusError as error:
-                missed[j], record.causes[error.cause] = True, record.causes.get(error.cause, 0) + 1
-        machine.step(k, begun - start)
-        for j in range(n):
+                self._miss(j, missed, error)
+        machine.step(k, begun - self._start)
+        for j in range(len(missed)):
             try:
                 servos.write(j, machine.reference[j], machine.rate[j])
             except BusError as error:
-                missed[j], record.causes[error.cause] = True, record.causes.get(error.cause, 0) + 1
-        silent = np.where(missed, silent + 1, 0)
-        record.note(k, begun - start, clock.now() - begun, missed, machine, servos.world)
-        if silent.max() >= PATIENCE:
-            joint = servos.limb.joint_names[int(silent.argmax())]
+                self._miss(j, missed, error)
+        self._silent = np.where(missed, self._silent + 1, 0)
+        if self._silent.max() >= PATIENCE:
+            joint = servos.limb.joint_names[int(self._silent.argmax())]
             raise KinlabError(
-                f"the {joint} has not answered for {PATIENCE} cycles, until {begun - start:.3f} s"
+                f"the {joint} has not answered for {PATIENCE} cycles, until {begun - self._start:.3f} s"
             )
-        if tell:
-            tell(k, record)
-        due = max(due + settings.dt, clock.now())
-        clock.wait(due - clock.now())
+        return Moment.of(begun - self._start, clock.now() - begun, missed, machine, servos.world)
+
+    def wait(self) -> None:
+        """Until the next cycle is due."""
+        self._due = max(self._due + self.machine.settings.dt, self._clock.now())
+        self._clock.wait(self._due - self._clock.now())
+
+    def _miss(self, joint: int, missed: Array, error: BusError) -> None:
+        missed[joint] = True
+        self.causes[error.cause] = self.causes.get(error.cause, 0) + 1
 
 
 class Machine:
     """The state of a control loop, without a bus.
 
     Attributes:
+        settings: that it computes with.
+        command: (n,) where the track is, rad.
         real, load: (n,) what was read last: rad, N m.
         reference, rate: (n,) what is written next: rad, rad/s.
         filtered, dynamic, external: (n,) torques, N m: load through the filter, by Newton and Euler, and
@@ -172,6 +195,7 @@ class Machine:
     def __init__(self, servos: ArmServos, track: Track, settings: Settings) -> None:
         self.limb, self.track, self.settings = servos.limb, track, settings
         self._inverse = inverse_equations(Mechanism.of(servos.limb))
+        self.command = track.q[0]
         self.real, self.load = track.q[0].copy(), np.zeros(track.q.shape[1])
         self.reference, self.rate = self.real.copy(), np.zeros_like(self.load)
         self.filtered = self.dynamic = self.external = np.zeros_like(self.load)
@@ -184,6 +208,7 @@ class Machine:
     def step(self, k: int, t: float) -> None:
         """Compute a cycle from what was read: the track's point `k`, `t` seconds after the beginning."""
         settings, track = self.settings, self.track
+        self.command = track.q[k]
         real_rate = (self.real - (self.real if self._before is None else self._before)) / settings.dt
         self._estimate(track.qd[k], track.qdd[k], real_rate)
         self._before = self.real.copy()

@@ -23,6 +23,43 @@ ANGLES = ("command", "real", "reference", "given_way")
 TORQUES = ("load", "filtered", "dynamic", "external", "disturbance", "reaction", "pushed")
 
 
+@dataclass(frozen=True, eq=False, repr=False)
+class Moment:
+    """One cycle of n joints: a row of the columns that `Record` describes.
+
+    Attributes:
+        t, busy, damping: of it.
+        missed: (n,).
+        angles, torques: by name (n,).
+    """
+
+    t: float
+    busy: float
+    damping: float
+    missed: Array
+    angles: dict[str, Array]
+    torques: dict[str, Array]
+
+    @classmethod
+    def of(cls, t: float, busy: float, missed: Array, machine: "Machine", world: World | None) -> "Moment":
+        """What a cycle that has just been run leaves behind."""
+        none = np.zeros_like(machine.load)
+        return cls(
+            t, busy, machine.damping, missed,
+            {
+                "command": machine.command, "real": machine.real.copy(), "reference": machine.reference,
+                "given_way": none + machine.yielding.angle,
+            },
+            {
+                "load": machine.load.copy(), "filtered": machine.filtered, "dynamic": machine.dynamic,
+                "external": machine.external,
+                "disturbance": machine.disturbance.estimate if machine.disturbance else none,
+                "reaction": machine.reaction.estimate if machine.reaction else none,
+                "pushed": np.array(world.pushed(t)) if world else np.full_like(none, np.nan),
+            },
+        )  # fmt: skip
+
+
 @dataclass(frozen=True, eq=False)
 class Record:
     """N cycles of n joints.
@@ -71,19 +108,12 @@ class Record:
             began=began, pushes=pushes,
         )  # fmt: skip
 
-    def note(
-        self, k: int, t: float, busy: float, missed: Array, machine: "Machine", world: World | None
-    ) -> None:
+    def note(self, k: int, moment: Moment) -> None:
         """Write down cycle `k`."""
-        self.t[k], self.busy[k], self.missed[k], self.damping[k] = t, busy, missed, machine.damping
-        angles, torques = self.angles, self.torques
-        angles["command"][k], angles["real"][k] = self.track.q[k], machine.real
-        angles["reference"][k], angles["given_way"][k] = machine.reference, machine.yielding.angle
-        torques["load"][k], torques["filtered"][k] = machine.load, machine.filtered
-        torques["dynamic"][k], torques["external"][k] = machine.dynamic, machine.external
-        for name, observed in (("disturbance", machine.disturbance), ("reaction", machine.reaction)):
-            torques[name][k] = observed.estimate if observed else 0.0
-        torques["pushed"][k] = world.pushed(t) if world else np.nan
+        self.t[k], self.busy[k], self.damping[k] = moment.t, moment.busy, moment.damping
+        self.missed[k] = moment.missed
+        for name, values in (moment.angles | moment.torques).items():
+            (self.angles if name in self.angles else self.torques)[name][k] = values
 
     def until(self, k: int) -> "Record":
         """The first `k` cycles."""

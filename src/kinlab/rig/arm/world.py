@@ -3,7 +3,7 @@
 import math
 from collections.abc import Sequence
 
-from kinlab.dynamics import Mechanism
+from kinlab.dynamics import Contact, Mechanism
 from kinlab.dynamics.straight_line import contact_equations, motion_equations
 from kinlab.dynamixel import Chain, SimulatedClock
 from kinlab.dynamixel.servo.breaking import motor_of
@@ -42,6 +42,8 @@ class World:
             self._zeros.append(math.radians(joint.servo.zero_deg))
             self._signs.append(joint.servo.sign)
         self._rates = [0.0] * len(self._motors)
+        self._leaning: tuple[float, float, float] | None = None
+        self._at_hand = contact_equations(self.mechanism, Contact(len(limb.joints) - 1))
         self.began = math.inf
 
     def place(self, q: Sequence[float]) -> None:
@@ -55,12 +57,18 @@ class World:
         """Where the joints are (n,), rad: the truth, which no register holds."""
         return [s * (m.angle - z) for m, z, s in zip(self._motors, self._zeros, self._signs, strict=True)]
 
+    def lean(self, force: tuple[float, float, float] | None) -> None:
+        """From now on somebody leans on the hand with `force` (3,), N, in the limb frame; None: nobody does."""
+        self._leaning = force
+
     def pushed(self, t: float) -> list[float]:
         """The torques (n,), N m, that the hands that push `t` seconds after `began` have on the joints."""
         total = [0.0] * len(self._motors)
-        for push, torques in self._pushes:
-            if push.acts(t):
-                total = [a + b for a, b in zip(total, torques(*self.angles(), *push.force), strict=True)]
+        acting = [(torques, push.force) for push, torques in self._pushes if push.acts(t)]
+        if self._leaning:
+            acting.append((self._at_hand, self._leaning))
+        for torques, force in acting:
+            total = [a + b for a, b in zip(total, torques(*self.angles(), *force), strict=True)]
         return total
 
     def couple(self, now: float) -> None:
@@ -70,7 +78,7 @@ class World:
         change = [(rate - before) / GRID for rate, before in zip(rates, self._rates, strict=True)]
         self._rates = rates
         found = self._equations(*self.angles(), *rates)
-        pushed = self.pushed(now - self.began) if self._pushes else [0.0] * n
+        pushed = self.pushed(now - self.began)
         for i, motor in enumerate(motors):
             others = sum(found[n * i + j] * change[j] for j in range(n) if j != i)
             motor.load_inertia = found[n * i + i]

@@ -1,0 +1,97 @@
+"""`kinlab serve`: the laboratory in a browser."""
+
+import os
+import sys
+from contextlib import suppress
+from typing import Annotated
+
+import typer
+
+from kinlab.cli.command import NumericCommand, RobotsOption, command_app
+
+app = command_app()
+
+
+@app.command(cls=NumericCommand, epilog="Example: kinlab serve --sessions 30 --host 0.0.0.0")
+def serve(
+    host: Annotated[
+        str,
+        typer.Option(
+            help="Address to listen on. The default is for this machine alone; 0.0.0.0 lets in everybody "
+            "who reaches it over the network, without a password and without encryption."
+        ),
+    ] = "127.0.0.1",
+    port: Annotated[int, typer.Option(help="0: any that is free.")] = 8000,
+    sessions: Annotated[
+        int, typer.Option(help="How many there may be at a time; each takes about 75 MB.")
+    ] = 8,
+    robots: RobotsOption = None,
+) -> None:
+    """The laboratory in a browser: for oneself, or for a class.
+
+    Each visitor gets a session of their own, with progress and settings in a
+    folder of its own. Sessions reach no serial port and no file outside that
+    folder. Needs the extra: pip install 'kinlab[serve]'. Ctrl-C ends all of them.
+    """
+    import asyncio
+
+    from kinlab.errors import KinlabError, UsageError
+    from kinlab.files import own_folder
+    from kinlab.language import language
+    from kinlab.robots import robot_names
+
+    try:
+        from kinlab.tui.web.server import LabServer
+    except ImportError as error:
+        if (error.name or "").startswith("kinlab"):
+            raise
+        raise KinlabError("this needs textual-serve: pip install 'kinlab[serve]'") from None
+    if sessions < 1:
+        raise UsageError(f"--sessions is a number from 1 on, not {sessions}")
+    if not 0 <= port <= 65535:
+        raise UsageError(f"--port is a number from 0 to 65535, not {port}")
+    if robots:
+        robot_names(robots)
+        os.environ["KINLAB_ROBOTS"] = str(robots.resolve())
+    folders = own_folder() / "visitors"
+
+    def ready(number: int) -> None:
+        _announce(host, number, sessions)
+        typer.echo(f"Progress and settings of each visitor: {folders}/NAME")
+        typer.echo("Ctrl-C ends all sessions.")
+        sys.stdout.flush()
+
+    server = LabServer(
+        [sys.executable, "-m", "kinlab.tui"],
+        host=host,
+        port=port,
+        places=sessions,
+        folders=folders,
+        language=language(),
+        say=lambda text: typer.echo(text, err=True),
+    )
+    with suppress(KeyboardInterrupt):
+        asyncio.run(server.run(ready))
+
+
+def _announce(host: str, port: int, sessions: int) -> None:
+    """Where it is, and who can get there."""
+    import socket
+
+    from kinlab.tui.web.gate import is_loopback
+
+    people = "one visitor" if sessions == 1 else f"{sessions} visitors"
+    where = f"[{host}]" if ":" in host else host
+    if is_loopback(host):
+        typer.echo(f"KinLab is at http://{where}:{port} for {people} at a time, on this machine alone.")
+        return
+    everywhere = host in ("0.0.0.0", "::")
+    typer.echo(
+        f"KinLab is at http://{socket.gethostname() if everywhere else where}:{port} for {people} at a time."
+    )
+    typer.echo(
+        "Everybody who reaches this machine over the network can use it: there is no password, and nothing is\n"
+        "encrypted. They run KinLab on this machine, as you, but reach no serial port and only files of their own.\n"
+        "Do this in a network that you trust. From outside, let people in through ssh or a proxy with a password.",
+        err=True,
+    )

@@ -1,0 +1,214 @@
+"""The application: stations as modes, themes, languages, settings; nothing of the laboratory itself."""
+
+import os
+import re
+import sys
+from collections.abc import Callable, Iterable
+from functools import partial
+from importlib import import_module
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, ClassVar
+
+from rich.text import Text
+from textual.app import App, SystemCommand
+from textual.binding import Binding, BindingType
+from textual.screen import Screen
+
+from kinlab.errors import UsageError
+from kinlab.files import own_folder
+from kinlab.language import LANGUAGES, language, words_of
+from kinlab.tui import themes
+from kinlab.tui.actions import SHELL, Action, bindings
+from kinlab.tui.settings import Settings
+from kinlab.tui.station import Station
+from kinlab.tui.stations import STATIONS
+
+if TYPE_CHECKING:
+    from textual.command import Provider
+
+OPEN = tuple(
+    Action(f"open_{name}", f"f{i + 1},{i}", f"app.open_station('{name}')", shown=False)
+    for i, name in enumerate(STATIONS, 1)
+)
+
+
+def _station(name: str) -> Screen[Any]:
+    module, _, made = STATIONS[name].partition(":")
+    screen: Screen[Any] = getattr(import_module(module), made)()
+    return screen
+
+
+def _commands() -> "type[Provider]":
+    from kinlab.tui.palette import Actions
+
+    return Actions
+
+
+class KinlabApp(App[None]):
+    """The laboratory.
+
+    Attributes:
+        tongue: the language's code.
+        ascii_only: whether drawings must do without braille and other signs.
+        settings: what is kept between runs.
+    """
+
+    MODES: ClassVar[dict[str, str | Callable[[], Screen[Any]]]] = {
+        name: partial(_station, name) for name in STATIONS
+    }
+    COMMANDS: ClassVar[set["type[Provider] | Callable[[], type[Provider]]"]] = {_commands}
+    BINDINGS: ClassVar[list[BindingType]] = bindings((*SHELL, *OPEN))
+    # Textual declares these in a way that reads as attributes of an instance.
+    HORIZONTAL_BREAKPOINTS = [(0, "-narrow"), (80, "-normal"), (120, "-wide")]  # noqa: RUF012
+    VERTICAL_BREAKPOINTS = [(0, "-low"), (30, "-tall")]  # noqa: RUF012
+    ESCAPE_TO_MINIMIZE = False
+    TITLE = "KinLab"
+    CSS = """
+    SearchIcon { display: none; }
+    ToastRack { margin-bottom: 2; }
+    Tooltip { background: $panel; color: $foreground; }
+    """
+
+    def __init__(self, station: str | None = None, *, folder: Path | None = None) -> None:
+        """The application.
+
+        Args:
+            station: to open; default the one that was open last.
+            folder: where settings are kept; default the user's state folder.
+        """
+        super().__init__()
+        self.folder = folder or own_folder()
+        self.settings, self.set_aside = Settings.load(self.folder / "tui.json")
+        self.tongue = self._first_language()
+        self.ascii_only = _plain()
+        self._station = next((name for name in (station, self.settings.station) if name in STATIONS), "robot")
+        for theme in themes.THEMES:
+            self.register_theme(theme)
+
+    def _first_language(self) -> str:
+        if os.environ.get("KINLAB_LANG") or self.settings.language not in LANGUAGES:
+            try:
+                return language()
+            except UsageError:
+                return "en"
+        return str(self.settings.language)
+
+    def get_theme_variable_defaults(self) -> dict[str, str]:
+        """The colours that the stations' styles name, for themes that do not define them."""
+        return themes.DEFAULTS
+
+    def get_key_display(self, binding: Binding) -> str:
+        """A key as it is printed on keyboards: F7, not f7."""
+        name = super().get_key_display(binding)
+        return name.upper() if re.fullmatch(r"f\d+", name) else name
+
+    def get_system_commands(self, screen: Screen[Any]) -> Iterable[SystemCommand]:
+        """None: the palette shows the actions of the registry, in the language of now."""
+        return ()
+
+    def on_mount(self) -> None:
+        known = {theme.name for theme in themes.THEMES}
+        self.theme = self.settings.theme if self.settings.theme in known else themes.DARK.name
+        self.open_station(self._station)
+        if self.set_aside is not None:
+            text = words_of("kinlab.tui").say(self.tongue, "shell.damaged", file=self.set_aside)
+            self.notify(text, severity="warning", timeout=10, markup=False)
+
+    # Stations.
+
+    def open_station(self, name: str) -> None:
+        """Go to a station."""
+        self.settings.station = name
+        self.switch_mode(name)
+
+    def action_open_station(self, name: str) -> None:
+        """Go to a station."""
+        self.open_station(name)
+
+    def action_next_station(self) -> None:
+        """Go to the next station in the bar; after the last comes the first."""
+        names = list(STATIONS)
+        self.open_station(names[(names.index(self.settings.station) + 1) % len(names)])
+
+    @property
+    def stations(self) -> list[Station]:
+        """The stations that have been opened."""
+        found = [screen for stack in self._screen_stacks.values() for screen in stack]
+        return [screen for screen in found if isinstance(screen, Station)]
+
+    # Comfort.
+
+    def action_help(self) -> None:
+        """Show the help of the station."""
+        from kinlab.tui.help import Help
+
+        if isinstance(self.screen, Station):
+            self.push_screen(Help(self.screen))
+
+    def action_theme(self) -> None:
+        """Change between dark and light."""
+        dark = self.theme == themes.DARK.name
+        self.theme = self.settings.theme = themes.LIGHT.name if dark else themes.DARK.name
+
+    def action_language(self) -> None:
+        """Speak the next language."""
+        codes = list(LANGUAGES)
+        self.tongue = codes[(codes.index(self.tongue) + 1) % len(codes)]
+        self.settings.language = self.tongue
+        for station in self.stations:
+            station.speak()
+
+    def action_command_palette(self) -> None:
+        """Open the palette, with its question in the language of now."""
+        from textual.command import CommandPalette
+
+        if not isinstance(self.screen, CommandPalette):
+            question = words_of("kinlab.tui").say(self.tongue, "shell.search")
+            self.push_screen(CommandPalette(placeholder=question, id="--command-palette"))
+
+    def action_help_quit(self) -> None:
+        """Ctrl-C where nothing is selected to be copied: leave, as everywhere in a terminal."""
+        self.exit()
+
+    # The end.
+
+    def keep(self) -> None:
+        """Write down what is kept until the next run."""
+        for station in self.stations:
+            if station.is_mounted:
+                self.settings.stations[station.NAME] = station.state()
+        self.settings.save(self.folder / "tui.json")
+
+    def exit(self, *args: Any, **settings: Any) -> None:
+        """Keep the settings, and leave."""
+        self.keep()
+        super().exit(*args, **settings)
+
+    def _fatal_error(self) -> None:
+        """KinLab itself has failed: no page of code, but where the report is and what is asked for."""
+        from kinlab.tui.crash import write_report
+
+        report = write_report(self._exception, self.folder) if self._exception else None
+        say = words_of("kinlab.tui").say
+        cause = f"{type(self._exception).__name__}: {self._exception}"
+        lines = [say(self.tongue, "shell.crash", cause=cause)]
+        if report is not None:
+            lines.append(say(self.tongue, "shell.report", file=report))
+        self._exit_renderables.append(Text("\n".join(lines)))
+        self._close_messages_no_wait()
+
+
+def _plain() -> bool:
+    """Whether the terminal cannot show braille: by wish, by its kind, or by its encoding."""
+    encoding = getattr(sys.__stdout__, "encoding", None) or "utf-8"
+    wish = os.environ.get("KINLAB_ASCII", "")
+    return wish not in ("", "0") or os.environ.get("TERM") == "linux" or "utf" not in encoding.lower()
+
+
+def run(station: str | None = None) -> int:
+    """Open the laboratory in this terminal, until a person leaves it; its exit code."""
+    os.environ.setdefault("TEXTUAL_ANIMATIONS", "none")
+    app = KinlabApp(station)
+    app.animation_level = "none"
+    app.run()
+    return app.return_code or 0

@@ -1,0 +1,1 @@
+"""A gait, played: who swings, who carries, how safely, and what it asks of the servos."""

@@ -1,0 +1,1 @@
+"""A target, and everything that follows from it."""

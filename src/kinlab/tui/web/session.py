@@ -1,0 +1,134 @@
+"""One visitor's session: a process of its own, which the websocket feeds and listens to."""
+
+import asyncio
+import os
+from collections.abc import Awaitable, Callable, Sequence
+from contextlib import suppress
+from pathlib import Path
+from typing import Any
+
+from aiohttp import WSMsgType, web
+from textual_serve.app_service import AppService
+from textual_serve.download_manager import DownloadManager
+
+from kinlab.guests import GUEST
+
+PATIENCE = 3.0  # s for a process to end by itself
+LARGEST = (400, 150)  # columns and rows; a screen beyond takes memory and no eyes
+SMALLEST = (10, 5)
+
+
+class Session(AppService):
+    """The TUI for one visitor.
+
+    Attributes:
+        visitor: whose browser it is.
+        socket: what leads there.
+    """
+
+    def __init__(
+        self,
+        command: Sequence[str],
+        visitor: str,
+        home: Path,
+        socket: web.WebSocketResponse,
+        manager: DownloadManager,
+    ) -> None:
+        """Set up.
+
+        Args:
+            command: the program and its arguments.
+            home: the visitor's folder.
+        """
+        super().__init__(
+            "",
+            write_bytes=_unless_gone(socket.send_bytes),
+            write_str=_unless_gone(socket.send_str),
+            close=_unless_gone(socket.close),
+            download_manager=manager,
+        )
+        self.visitor = visitor
+        self.socket = socket
+        self._words = command
+        self._home = home
+
+    def _build_environment(self, width: int = 80, height: int = 24) -> dict[str, str]:
+        environment: dict[str, str] = super()._build_environment(width, height)
+        environment["TEXTUAL_DRIVER"] = "kinlab.tui.web.driver:GuestDriver"
+        return environment | {GUEST: "1", "KINLAB_HOME": str(self._home)}
+
+    async def _open_app_process(self, width: int = 80, height: int = 24) -> asyncio.subprocess.Process:
+        # Without a shell; and out of reach of the Ctrl-C that ends the server, which ends its sessions in order.
+        self._process = process = await asyncio.create_subprocess_exec(
+            *self._words,
+            stdin=asyncio.subprocess.PIPE,
+            stdout=asyncio.subprocess.PIPE,
+            stderr=asyncio.subprocess.PIPE,
+            env=self._build_environment(width, height),
+            cwd=os.path.expanduser("~"),
+            start_new_session=True,
+        )
+        self._stdin = process.stdin
+        return process
+
+    async def run(self) -> None:
+        """Pass on what the program shows, until it ends; then the browser hears of it."""
+        # The pump ends as if cancelled where the program ends before it has begun.
+        with suppress(asyncio.CancelledError):
+            await super().run()
+        await self.remote_close()
+
+    async def stop(self) -> None:
+        """End the program, by force if it does not go by itself."""
+        with suppress(TimeoutError):
+            await asyncio.wait_for(super().stop(), PATIENCE)
+        process, self._task = self._process, None
+        if process is None:
+            return
+        if process.returncode is None:
+            with suppress(ProcessLookupError):
+                process.kill()
+        await process.wait()
+        self.stdin.close()
+
+    async def attend(self) -> None:
+        """Pass on what the visitor types and clicks, until the connection ends. What is no message is passed over."""
+        async for message in self.socket:
+            if message.type != WSMsgType.TEXT:
+                continue
+            try:
+                said = message.json()
+            except ValueError:
+                continue
+            await self._hear(said)
+
+    async def _hear(self, said: Any) -> None:
+        match said:
+            case ["stdin", str(text)]:
+                await self.send_bytes(text.encode(errors="replace"))
+            case ["resize", {"width": int(width), "height": int(height)}]:
+                await self.set_terminal_size(*fitting(width, height))
+            case ["ping", str(token)]:
+                await self.socket.send_json(["pong", token])
+            case ["blur"]:
+                await self.blur()
+            case ["focus"]:
+                await self.focus()
+
+
+def fitting(width: int, height: int) -> tuple[int, int]:
+    """A size that a screen may have, near to the one that was asked for."""
+    return (
+        min(max(width, SMALLEST[0]), LARGEST[0]),
+        min(max(height, SMALLEST[1]), LARGEST[1]),
+    )
+
+
+def _unless_gone(send: Callable[..., Awaitable[object]]) -> Callable[..., Awaitable[None]]:
+    """`send`, for which it is no matter that the browser has left meanwhile."""
+
+    async def attempt(*what: Any) -> None:
+        with suppress(ConnectionError, RuntimeError):
+            await send(*what)
+
+    return attempt

@@ -1,0 +1,163 @@
+"""What every station has: keys, help, palette, languages, themes, settings, and a notice where there is no room."""
+
+import json
+
+import pytest
+from textual.widgets import Static
+
+from kinlab.language import words_of
+from kinlab.tui.actions import SHELL
+from kinlab.tui.app import _station
+from kinlab.tui.palette import Actions
+from kinlab.tui.station import Station
+from kinlab.tui.stations import STATIONS
+
+
+@pytest.fixture(params=STATIONS)
+def station(request) -> str:
+    return request.param
+
+
+def test_every_action_has_a_label_and_a_help_in_every_language(station):
+    screen = _station(station)
+    assert isinstance(screen, Station)
+    own, shell = words_of(screen.words).entries, words_of("kinlab.tui").entries
+    for action in (*screen.ACTIONS, *SHELL):
+        for part in ("label", "help"):
+            entry = own.get(f"action.{action.id}.{part}") or shell[f"action.{action.id}.{part}"]
+            assert all(entry.values())
+
+
+def test_the_line_of_keys_holds_help_and_quit_at_every_size_and_focus(lab, station):
+    async def script(pilot):
+        for size in ((60, 20), (80, 24), (200, 60)):
+            await pilot.resize_terminal(*size)
+            for key in ("tab", "escape"):
+                await pilot.press(key)
+                await pilot.pause()
+                line = lab.rows(pilot.app)[-1]
+                assert "? help" in line
+                assert line.endswith("^q quit")
+
+    lab.drive(script, station)
+
+
+def test_a_terminal_too_small_is_told_the_size_it_needs_and_goes_on_when_it_grows(lab, station):
+    async def script(pilot):
+        await pilot.resize_terminal(40, 12)
+        await pilot.pause()
+        assert "40 x 12" in lab.text(pilot.app)
+        assert "60 x 20" in lab.text(pilot.app)
+        await pilot.resize_terminal(80, 24)
+        await pilot.pause()
+        assert "^q quit" in lab.text(pilot.app)
+
+    lab.drive(script, station)
+
+
+def test_help_lists_every_key_and_escape_closes_it(lab, station):
+    async def script(pilot):
+        await pilot.press("f1")
+        await pilot.pause()
+        said = " ".join(str(part.content) for part in pilot.app.screen.query(Static))
+        speaker = pilot.app.screen.station
+        for action in speaker.all_actions():
+            assert speaker.say(f"action.{action.id}.help").split()[0] in said
+        await pilot.press("escape")
+        assert isinstance(pilot.app.screen, Station)
+
+    lab.drive(script, station)
+
+
+def test_the_language_changes_at_run_time(lab, station):
+    async def script(pilot):
+        await pilot.press("ctrl+l")
+        await pilot.pause()
+        assert "bantuan" in lab.rows(pilot.app)[-1]
+
+    app = lab.drive(script, station)
+    assert app.tongue == "id"
+
+
+def test_theme_and_language_are_kept_until_the_next_run(lab):
+    async def script(pilot):
+        await pilot.press("ctrl+t")
+        await pilot.press("ctrl+l")
+        await pilot.press("ctrl+q")
+
+    first = lab.drive(script)
+    kept = json.loads((first.folder / "tui.json").read_text())
+    assert (kept["theme"], kept["language"]) == ("kinlab-light", "id")
+
+
+def test_damaged_settings_are_put_aside_and_named(lab, tmp_path):
+    folder = tmp_path / "state"
+    folder.mkdir()
+    (folder / "tui.json").write_text('{"theme": 7')
+
+    async def script(pilot):
+        assert pilot.app.theme == "kinlab-dark"
+
+    app = lab.drive(script)
+    assert app.set_aside == folder / "tui.damaged"
+    assert app.set_aside.read_text() == '{"theme": 7'
+
+
+def test_the_palette_finds_an_action_by_its_name(lab):
+    async def script(pilot):
+        await pilot.press("ctrl+p")
+        await pilot.press(*"dark or")
+        await pilot.pause(0.2)
+        await pilot.press("enter")
+        await pilot.pause(0.2)
+        assert pilot.app.theme == "kinlab-light"
+
+    lab.drive(script)
+
+
+def test_the_palette_holds_every_action_of_the_station(lab, station):
+    async def script(pilot):
+        found = Actions(pilot.app.screen)
+        titles = [title for title, _, _ in found._entries()]
+        for action in pilot.app.screen.all_actions():
+            label = pilot.app.screen.say(f"action.{action.id}.label")
+            assert action.id == "palette" or any(title.startswith(label) for title in titles)
+
+    lab.drive(script, station)
+
+
+def test_a_mistake_of_our_own_leaves_a_report_and_no_page_of_code(lab, capsys):
+    async def script(pilot):
+        pilot.app.call_later(lambda: 1 / 0)
+        await pilot.pause()
+
+    with pytest.raises(ZeroDivisionError):
+        lab.drive(script)
+    said = capsys.readouterr().err
+    assert "KinLab has stopped because of a mistake of its own: ZeroDivisionError" in said
+    assert "Please report it" in said
+    assert "Traceback" not in said
+
+
+def test_ctrl_c_leaves_cleanly(lab):
+    async def script(pilot):
+        await pilot.press("ctrl+c")
+        await pilot.pause()
+
+    assert lab.drive(script).return_code == 0
+
+
+def test_a_bare_kinlab_opens_the_laboratory_in_a_terminal_only(monkeypatch, capsys):
+    from kinlab.cli import main
+
+    opened = []
+    monkeypatch.setattr("kinlab.tui.app.run", lambda: opened.append(True) or 0)
+    for terminal in (False, True):
+        monkeypatch.setattr("sys.stdin.isatty", lambda terminal=terminal: terminal, raising=False)
+        monkeypatch.setattr("sys.stdout.isatty", lambda terminal=terminal: terminal, raising=False)
+        monkeypatch.setenv("TERM", "xterm")
+        with pytest.raises(SystemExit) as ended:
+            main([])
+        assert ended.value.code in (0, None)
+        assert bool(opened) is terminal
+    assert "Commands:" in capsys.readouterr().out

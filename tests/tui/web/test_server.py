@@ -1,0 +1,215 @@
+"""`kinlab serve`, spoken to as a browser speaks to it."""
+
+import asyncio
+import json
+
+import numpy as np
+import pytest
+
+from kinlab import load_robot
+from kinlab.tui.stations import STATIONS
+from kinlab.tui.web.session import LARGEST, SMALLEST, fitting
+
+
+def test_a_visitor_types_a_target_and_reads_the_angles(serve):
+    """The whole way: websocket, process, Robot station, and back onto a terminal's screen."""
+    limb = load_robot("xl430-hexapod").limbs["R1"]
+    wanted = np.degrees(limb.ik([0.08, 0.01, -0.046]).q)
+
+    async def script(served):
+        async with served.visit(size=(110, 30)) as visitor:
+            await visitor.see("xl430-hexapod", "Reached", "x 75")
+            # The first field has the focus. Keys that come in one burst may overtake each other.
+            await visitor.type("\x15")
+            await visitor.see("A number is wanted here")
+            await visitor.type("80")
+            await visitor.see("x 80", *(f"{angle:.3f}".rstrip("0") for angle in wanted))
+            await visitor.type("\x11")
+            await visitor.until_closed()
+        (folder,) = served.folders.iterdir()
+        assert json.loads((folder / "tui.json").read_text())["station"] == "robot"
+
+    serve(script, small=False)
+
+
+def test_a_session_reaches_no_serial_port_and_no_file_of_the_machine(serve, tmp_path):
+    outside = tmp_path / "outside.dxl"
+    outside.write_text("ping 1\n")
+
+    async def script(served):
+        async with served.visit(size=(120, 30)) as visitor:
+            await visitor.see("Reached")
+            await visitor.type(f"\x1b[1{list(STATIONS).index('packet') + 2}~")
+            await visitor.see("dxl>")
+            await visitor.type(f"load {outside}\r")
+            await visitor.see("give a plain name")
+            await visitor.type("ping 1; save mine\r")
+            await visitor.see("saved to")
+        (folder,) = served.folders.iterdir()
+        assert (folder / "files" / "mine").read_text().splitlines()[-1] == "ping 1"
+
+    serve(script, small=False)
+
+
+def test_a_foreign_page_and_a_foreign_name_are_refused_everywhere(serve):
+    async def script(served):
+        evil = {"Origin": "http://evil.example"}
+        assert await served.knock(**evil) == 403
+        assert await served.knock(Host="evil.example", Origin="http://evil.example") == 403
+        for path in ("/", "/ws", "/static/js/textual.js", "/page/page.css", "/download/x"):
+            for headers in (evil, {"Host": "evil.example"}):
+                status, text = await served.ask(path, **headers)
+                assert status == 403, path
+                assert "evil.example" in text
+        assert not served.told
+
+    serve(script)
+
+
+def test_a_session_without_an_origin_is_refused(serve):
+    async def script(served):
+        status, text = await served.ask("/ws")
+        assert status == 403
+        assert "which page it comes from" in text
+
+    serve(script)
+
+
+def test_what_a_foreign_name_says_is_shown_as_text(serve):
+    async def script(served):
+        _, text = await served.ask(Host="<script>alert(1)</script>")
+        assert "<script>" not in text
+
+    serve(script)
+
+
+def test_beyond_the_limit_a_page_says_so_and_the_next_one_finds_the_place_free(serve):
+    async def script(served):
+        async with served.visit() as first:
+            await first.see("at home")
+            status, text = await served.ask()
+            assert status == 503
+            assert "All places are taken" in text
+            assert await served.knock() == 503
+        async with asyncio.timeout(60):
+            while served.server.sessions:
+                await asyncio.sleep(0.01)
+        assert (await served.ask())[0] == 200
+
+    serve(script, places=1)
+
+
+def test_a_page_loaded_anew_takes_the_place_of_its_former_self(serve):
+    cookie = "0123456789abcdef01234567"
+
+    async def script(served):
+        async with served.visit(cookie) as first:
+            await first.see("at home")
+            async with served.visit(cookie) as second:
+                await second.see(f"at home in {cookie}")
+                await first.until_closed()
+                assert len(served.server.sessions) == 1
+
+    serve(script, places=1)
+
+
+def test_each_visitor_has_a_folder_and_the_same_browser_finds_it_again(serve):
+    async def script(served):
+        async with served.visit() as one, served.visit("0123456789abcdef01234567") as two:
+            first = (await one.see("at home in")).partition("at home in ")[2].split()[0]
+            await two.see("at home in 0123456789abcdef01234567")
+            assert len(first) == 24
+            assert first != "0123456789abcdef01234567"
+        async with served.visit(first) as again:
+            await again.see(f"at home in {first}")
+
+    serve(script)
+
+
+@pytest.mark.parametrize("cookie", ["../../etc", "0123456789ABCDEF01234567", "x" * 5000, "..%2f"])
+def test_a_cookie_that_was_not_given_out_names_no_folder(serve, cookie):
+    async def script(served):
+        async with served.visit(cookie) as visitor:
+            seen = (await visitor.see("at home in")).partition("at home in ")[2].split()[0]
+            assert seen != cookie
+            assert len(seen) == 24
+
+    serve(script)
+
+
+def test_an_end_lets_every_session_leave_in_order(serve):
+    async def script(served):
+        visits = [served.visit(f"{i:024x}") for i in range(2)]
+        for i, visit in enumerate(visits):
+            await (await visit.__aenter__()).see(f"at home in {i:024x}")
+        await served.server.on_shutdown(None)
+        for visit in visits:
+            await visit.__aexit__(None, None, None)
+        async with asyncio.timeout(60):
+            while len(served.told) < 4:
+                await asyncio.sleep(0.01)
+        assert [(served.folders / f"{i:024x}" / "left").read_text() for i in range(2)] == ["in order"] * 2
+
+    serve(script)
+
+
+def test_a_program_that_fails_ends_the_session_and_not_the_server(serve, capfd):
+    async def script(served):
+        served.server._words = ("false",)
+        async with served.visit() as visitor:
+            await visitor.until_closed()
+        assert (await served.ask())[0] == 200
+
+    serve(script)
+
+
+def test_what_is_no_message_is_passed_over(serve):
+    async def script(served):
+        async with served.visit() as visitor:
+            for nonsense in (
+                "x",
+                "1",
+                "{}",
+                "[]",
+                '["stdin"]',
+                '["stdin", 1]',
+                '["resize", {"width": "x"}]',
+                "[[]]",
+            ):
+                await visitor.line.send_str(nonsense)
+            await visitor.line.send_bytes(b"\xff")
+            await visitor.line.send_str(json.dumps(["resize", {"width": 10**9, "height": 10**9}]))
+            await visitor.line.send_str(json.dumps(["resize", {"width": 80, "height": 24}]))
+            await visitor.type("\ud800still here")
+            await visitor.see("still here", "at home")
+
+    serve(script)
+
+
+def test_a_screen_has_a_size_that_a_screen_may_have():
+    assert fitting(10**9, 10**9) == LARGEST
+    assert fitting(-1, 0) == SMALLEST
+    assert fitting(80, 24) == (80, 24)
+
+
+def test_no_folder_is_listed_and_nothing_beside_it_is_given_out(serve):
+    async def script(served):
+        for path in ("/static/", "/static", "/page/", "/static/%2e%2e/server.py", "/page/..%2fserver.py"):
+            status, text = await served.ask(path)
+            assert status in (403, 404)
+            assert "import" not in text
+
+    serve(script)
+
+
+def test_the_page_names_nothing_outside_and_lets_nothing_in(serve):
+    async def script(served):
+        status, page = await served.ask()
+        _, style = await served.ask("/page/page.css")
+        _, script_ = await served.ask("/page/page.js")
+        assert status == 200
+        assert "//" not in (page + style + script_).replace(f"ws://{served.place}/ws", "").replace(
+            "// Keys", ""
+        )
+
+    serve(script)
