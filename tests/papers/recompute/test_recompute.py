@@ -16,7 +16,7 @@ REPORTS = {report.paper.name: report for report in recompute()}
 # Findings by verdict: reproduced, explained, contradicted, measured. To change one takes a reason in the commit.
 TOTALS = {
     "eros-humanoid": (156, 20, 31, 100),
-    "receptionist-arm": (390, 46, 49, 8),
+    "receptionist-arm": (391, 46, 48, 8),
     "xl430-hexapod": (80, 10, 22, 145),
     "krsri-hexapod": (203, 1, 5, 176),
     "udiebot-quadruped": (182, 129, 20, 109),

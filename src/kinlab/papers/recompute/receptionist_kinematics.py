@@ -183,7 +183,8 @@ EQUATIONS = (
     Equation(
         "3.17", "J_ij = ∂f_i / ∂f_j", lambda s: np.ones(COUNT), lambda s: s["J"][:, 0, 0],
         "J_ij = ∂f_i / ∂θ_j", lambda s: _jacobian(s)[:, 0, 0], inputs=ANGLES,
-        cause="∂f_i / ∂f_j is 1 or 0; here J_11. The entries that follow are derivatives by θ1, θ2, θ0, in this order",
+        cause="∂f_i / ∂f_j is 1 or 0; here J_11. On paper or by the scan f stands for θ; the entries that follow are "
+        "derivatives by θ1, θ2, θ0, in this order",
     ),
     Equation(
         "3.17, entries", "J", _jacobian, _of("J"), unit=CM, inputs=ANGLES, cause=HERE,

@@ -199,7 +199,8 @@ def rotations() -> Iterator[Finding]:
         yield JUDGE.figure(
             f"section Rotation, the table of the {turn} turn of {angle} deg", printed, float(own), "",
             f"a turn to the {turn} is {way}, which is what Table {own} holds", table=own,
-            remark="captions and abstract agree with each other; this text has them the other way round",
+            remark="captions and abstract agree with each other; this text has them the other way round. Should it "
+            "compare the turns, it holds for the left one, 3 < 3.6 and 3.8 < 13.2 deg, and not for the right one",
         )  # fmt: skip
 
 
