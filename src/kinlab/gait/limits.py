@@ -84,7 +84,7 @@ def assess(walk: Walk, *, keep_period: bool = False) -> Limits:
     motion = walk.at(times)
     if not motion.reachable.all():
         raise KinlabError(f"{_missed(motion)}; {_instead(walk, keep_period=True)}")
-    limits = Limits(walk, _speeds(walk, times), _allowed(walk))
+    limits = Limits(walk, np.abs(joint_rates(walk, times)).max(axis=0), _allowed(walk))
     if limits.used > 1:
         leg, joint = limits.tightest
         i, j = np.unravel_index(int(np.argmax(limits.speeds / limits.allowed)), limits.speeds.shape)
@@ -103,10 +103,10 @@ def _instants(walk: Walk) -> Array:
     return np.sort(np.concatenate([even, near]) % 1) * walk.period
 
 
-def _speeds(walk: Walk, times: Array) -> Array:
+def joint_rates(walk: Walk, times: Array) -> Array:
+    """How fast the joints turn (..., L, n), rad/s, at times (...) in s that are no events of the gait."""
     h = TICK * walk.period
-    rates = (walk.at(times + h).q - walk.at(times - h).q) / (2 * h)
-    return np.asarray(np.abs(rates).max(axis=0))
+    return np.asarray((walk.at(times + h).q - walk.at(times - h).q) / (2 * h))
 
 
 def _allowed(walk: Walk) -> Array:
@@ -139,7 +139,7 @@ def _instead(walk: Walk, keep_period: bool) -> str:
         times = _instants(slower)
         if not slower.at(times).reachable.all():
             return False
-        return bool((_speeds(slower, times) <= _allowed(slower)).all())
+        return bool((np.abs(joint_rates(slower, times)) <= _allowed(slower)).all())
 
     share = _largest(possible)
     kept = f"a period of {walk.period:.3g} s" if keep_period else f"a stride of {walk.stride * 1000:.4g} mm"

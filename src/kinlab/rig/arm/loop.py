@@ -106,13 +106,29 @@ def run(
         RunawayError: the loop diverged.
         KinlabError: a servo has not answered for PATIENCE cycles in a row.
     """
-    clock, n = servos.bus.port.clock, len(servos.servos)
-    record = Record.empty(servos.limb, track, settings.dt)
-    machine = Machine(servos, track, settings)
-    due = clock.now()
+    clock = servos.bus.port.clock
+    pushes = servos.world.pushes if servos.world else ()
+    record = Record.empty(servos.limb, track, settings.dt, clock.now(), pushes)
+    servos.bus.tap = record.packets.append
     if servos.world:
-        servos.world.began = due
-    start = due
+        servos.world.began = record.began
+    try:
+        _cycles(servos, track, settings, record, tell)
+    finally:
+        servos.bus.tap = None
+    return record
+
+
+def _cycles(
+    servos: ArmServos,
+    track: Track,
+    settings: Settings,
+    record: Record,
+    tell: Callable[[int, Record], None] | None,
+) -> None:
+    clock, n = servos.bus.port.clock, len(servos.servos)
+    machine = Machine(servos, track, settings)
+    due = start = record.began
     silent = np.zeros(n, int)
     for k in range(len(track.q)):
         begun = clock.now()
@@ -139,7 +155,6 @@ def run(
             tell(k, record)
         due = max(due + settings.dt, clock.now())
         clock.wait(due - clock.now())
-    return record
 
 
 class Machine:
