@@ -72,6 +72,12 @@ def test_every_initial_value_is_that_of_one_servo_or_the_other():
     ]
 
 
+def test_a_cause_shows_where_its_figure_comes_from():
+    assert "(38400 - 38461.54) / 38400 = -0.160 %" in FOUND["Table 2.2 value 34 error"].arithmetic
+    assert FOUND["Table 2.6 READ DATA value"].arithmetic.endswith("above it 1")
+    assert FOUND["Table 2.6 SYNC WRITE value"].arithmetic.endswith("6 + 1 = 7")
+
+
 def test_the_packets_are_those_of_the_codec():
     for name in ("instruction packet", "status packet"):
         assert FOUND[f"section 2.3.2, example, {name}"].verdict == "reproduced"

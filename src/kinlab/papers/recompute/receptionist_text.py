@@ -105,7 +105,9 @@ def protocol() -> Iterator[Finding]:
         item = SERVO.find(register)
         own = item.scale if "step" in place else float(item.high)
         older = (
-            [Cause("the AX-12's, in its manual of 2006", 254)] if register == "cw_compliance_margin" else []
+            [Cause("the AX-12's, in its manual of 2006", 254, arithmetic="AX-12: 254")]
+            if register == "cw_compliance_margin"
+            else []
         )
         yield JUDGE.figure(f"{where}, {place}", text, own, "", f"RX-24F, {item.title}: {own:g}", older)
     punch = float(SERVO.find("punch").initial)
