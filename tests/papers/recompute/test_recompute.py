@@ -19,7 +19,7 @@ TOTALS = {
     "receptionist-arm": (391, 46, 48, 8),
     "xl430-hexapod": (80, 10, 22, 145),
     "krsri-hexapod": (203, 1, 5, 176),
-    "udiebot-quadruped": (182, 129, 20, 109),
+    "udiebot-quadruped": (182, 132, 17, 109),
 }
 FINDINGS = [finding for report in REPORTS.values() for finding in report.findings]
 
