@@ -42,11 +42,7 @@ def write_whole(path: Path, content: str | bytes, *, lasting: bool = False) -> N
 
     Args:
         path: of the file.
-<<<<<<< HEAD
-        content: all of it.
-=======
         content: all of it; text as UTF-8.
->>>>>>> refs/heads/lessons
         lasting: come back only when it would survive a power cut.
 
     Raises:
