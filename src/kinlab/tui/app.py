@@ -84,6 +84,12 @@ class KinlabApp(App[None]):
         self._station = next((name for name in (station, self.settings.station) if name in STATIONS), "robot")
         for theme in themes.THEMES:
             self.register_theme(theme)
+        known = {theme.name for theme in themes.THEMES}
+        # Set before anything is drawn, so that nothing is styled twice.
+        self.set_reactive(
+            App.theme, self.settings.theme if self.settings.theme in known else themes.DARK.name
+        )
+        self.stylesheet.set_variables(self.get_css_variables())
 
     def _first_language(self) -> str:
         if os.environ.get("KINLAB_LANG") or self.settings.language not in LANGUAGES:
@@ -107,8 +113,6 @@ class KinlabApp(App[None]):
         return ()
 
     def on_mount(self) -> None:
-        known = {theme.name for theme in themes.THEMES}
-        self.theme = self.settings.theme if self.settings.theme in known else themes.DARK.name
         self.open_station(self._station)
         if self.set_aside is not None:
             text = words_of("kinlab.tui").say(self.tongue, "shell.damaged", file=self.set_aside)
