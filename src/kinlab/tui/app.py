@@ -51,6 +51,7 @@ class KinlabApp(App[None]):
         tongue: the language's code.
         ascii_only: whether drawings must do without braille and other signs.
         settings: what is kept between runs.
+        unkept: why it could not be kept; empty where it could.
     """
 
     MODES: ClassVar[dict[str, str | Callable[[], Screen[Any]]]] = {
@@ -78,6 +79,7 @@ class KinlabApp(App[None]):
         """
         super().__init__()
         self.folder = folder or own_folder()
+        self.unkept = ""
         self.settings, self.set_aside = Settings.load(self.folder / "tui.json")
         self.tongue = self._first_language()
         self.ascii_only = _plain()
@@ -181,7 +183,7 @@ class KinlabApp(App[None]):
         for station in self.stations:
             if station.is_mounted:
                 self.settings.stations[station.NAME] = station.state()
-        self.settings.save(self.folder / "tui.json")
+        self.unkept = self.settings.save(self.folder / "tui.json")
 
     def exit(self, *args: Any, **settings: Any) -> None:
         """Keep the settings, and leave."""
@@ -215,4 +217,6 @@ def run(station: str | None = None) -> int:
     app = KinlabApp(station)
     app.animation_level = "none"
     app.run()
+    if app.unkept:
+        sys.stderr.write(f"kinlab: {app.unkept}\n")
     return app.return_code or 0
