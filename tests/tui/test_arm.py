@@ -139,6 +139,16 @@ def test_the_mouse_pulls_the_hand_while_it_is_held(run):
     run(script)
 
 
+def test_a_click_on_a_plot_pulls_at_nothing(run):
+    async def script(pilot, station):
+        await pilot.click("#torque", (9, 3))
+        await pilot.pause()
+        assert not station.playing
+        assert not moments(station)
+
+    run(script)
+
+
 # Gains and laws.
 
 

@@ -334,8 +334,9 @@ class ArmStation(Station):
     @on(Picture.Pointed)
     def _pointed(self, event: Picture.Pointed) -> None:
         event.stop()
-        self._pulled = (event.picture.id or "", event.x, event.y)
-        self._play(True)
+        if isinstance(event.picture, ArmView):
+            self._pulled = (event.picture.id or "", event.x, event.y)
+            self._play(True)
 
     @on(ArmView.LetGo)
     def _let_go(self, event: ArmView.LetGo) -> None:
