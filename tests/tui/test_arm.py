@@ -165,7 +165,7 @@ def test_compliance_goes_on_and_off_while_the_arm_moves(run):
         assert station.bench.settings.law == "none"
         await pilot.click("#law")
         await pilot.pause()
-        await pilot.click("#law SelectOverlay", (3, 2))
+        await pilot.click("#law SelectOverlay", (3, 3))
         await pilot.pause()
         assert station.bench.settings.law == "compliance"
 

@@ -160,7 +160,7 @@ def test_robots_gaits_and_legs_by_mouse(run):
     async def choose(pilot, box, row):
         await pilot.click(box)
         await pilot.pause()
-        await pilot.click(f"{box} SelectOverlay", (3, row))
+        await pilot.click(f"{box} SelectOverlay", (3, row + 1))
         await pilot.pause()
 
     async def script(pilot, station):

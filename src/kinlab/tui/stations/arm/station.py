@@ -265,7 +265,7 @@ class ArmStation(Station):
         for view in self.query(ArmView):
             view.redraw()
         line = self.query_one("#facts", Static)
-        line.update(fitting(facts(self.say, self.bench), line.size.width))
+        line.update(fitting(facts(self.say, self.bench), line.size.width), layout=False)
         if not plots:
             return
         for name in PLOTS:
@@ -300,9 +300,6 @@ class ArmStation(Station):
     def _chosen(self, event: Select.Changed) -> None:
         event.stop()
         name, box = str(event.value), event.select.id
-        # A list tells of its first value after what was kept has taken its place.
-        if event.value != event.select.value:
-            return
         self.query_one("#side").focus()
         if box == "limb":
             self.limb = self.robot.limbs[name]

@@ -231,9 +231,6 @@ class GaitStation(Station):
     def _chosen(self, event: Select.Changed) -> None:
         event.stop()
         name, box = str(event.value), event.select.id
-        # A list tells of its first value after what was kept has taken its place.
-        if event.value != event.select.value:
-            return
         self.query_one("#diagram").focus()
         if box == "robot":
             self._use(self.robots[name])
@@ -310,16 +307,21 @@ class GaitStation(Station):
             return
         if self.playing:
             self.t += passed
-        behind = self.mill is not None and (not self.mill.samples or self.mill.samples[-1].t < self.t)
-        if behind and self.mill is not None:
-            self.mill.tread(self.t, TICKS)
-        if self.playing or behind:
+        if self._tread() or self.playing:
             self._show()
+
+    def _tread(self) -> bool:
+        """Let the rig walk on towards the instant that is shown, as far as a picture can wait; whether it had to."""
+        if self.mill is None or (self.mill.samples and self.mill.samples[-1].t >= self.t):
+            return False
+        self.mill.tread(self.t, TICKS)
+        return True
 
     def seek(self, t: float) -> None:
         """Stop, and show the instant `t`, s; one before the first cycle is that of the first cycle."""
         self._play(False)
         self.t = t if t >= 0 else t % self.cycle.walk.period
+        self._tread()
         self._show()
 
     def _play(self, on: bool) -> None:
@@ -345,15 +347,15 @@ class GaitStation(Station):
         text = "\n".join(fitting(line, facts.size.width) for line in lines)
         if text != self._facts:
             self._facts = text
-            facts.update(text)
+            facts.update(text, layout=False)
         self._show_servos(frame, sample)
 
     def _show_servos(self, frame: int, sample: Sample | None) -> None:
         joints = self.query_one("#joints", Static)
         if joints.region.width:
-            joints.update(
-                joint_speeds(self.say, self.cycle, frame, sample, joints.size.width, self.lab.ascii_only)
-            )
+            speeds = joint_speeds(self.say, self.cycle, frame, sample, joints.size.width, self.lab.ascii_only)
+            # Places are worked out anew only where another robot has more legs, or fewer.
+            joints.update(speeds, layout=len(speeds.plain.splitlines()) != joints.size.height)
         margin = self.query_one("#margin", Plot)
         if margin.region.width:
             now = self._margins[frame]
