@@ -141,6 +141,11 @@ class RobotStation(Station):
 
     # Asking and showing.
 
+    @property
+    def asking(self) -> bool:
+        """Whether an answer is still to come."""
+        return self._busy
+
     def ask(self) -> None:
         """Walk the path for what is set now. While one question is out, only the latest other one is kept."""
         attitude = self.rpy if len(self.limb.joints) >= 6 else None
