@@ -106,13 +106,19 @@ def run(
         RunawayError: the loop diverged.
         KinlabError: a servo has not answered for PATIENCE cycles in a row.
     """
-    record = Record.empty(servos.limb, track, settings.dt)
-    loop = Loop(servos, track, settings, record.causes)
-    for k in range(len(track.q)):
-        record.note(k, loop.cycle(k))
-        if tell:
-            tell(k, record)
-        loop.wait()
+    clock = servos.bus.port.clock
+    pushes = servos.world.pushes if servos.world else ()
+    record = Record.empty(servos.limb, track, settings.dt, clock.now(), pushes)
+    servos.bus.tap = record.packets.append
+    try:
+        loop = Loop(servos, track, settings, record.causes)
+        for k in range(len(track.q)):
+            record.note(k, loop.cycle(k))
+            if tell:
+                tell(k, record)
+            loop.wait()
+    finally:
+        servos.bus.tap = None
     return record
 
 
