@@ -20,7 +20,7 @@ def test_a_visitor_types_a_target_and_reads_the_angles(serve):
         async with served.visit(size=(110, 30)) as visitor:
             await visitor.see("xl430-hexapod", "Reached", "x 75")
             # The first field has the focus. Keys that come in one burst may overtake each other.
-            await visitor.type("\x15")
+            await visitor.type("\x05\x15")
             await visitor.see("A number is wanted here")
             await visitor.type("80")
             await visitor.see("x 80", *(f"{angle:.3f}".rstrip("0") for angle in wanted))
