@@ -194,17 +194,20 @@ def test_the_page_is_served_until_it_is_told_to_end(tmp_path, ending):
         text=True,
         env={**os.environ, "HOME": str(tmp_path)},
     )
-    assert served.stderr is not None
-    said = served.stderr.readline()
-    assert said.startswith(f"kinlab: open http://127.0.0.1:{ports[1]}/?url=")
-    with urlopen(f"http://127.0.0.1:{ports[1]}/") as page:
-        assert page.status == 200
-    children = psutil.Process(served.pid).children(recursive=True)
-    assert children
-    served.send_signal(ending)
-    assert served.communicate() == (None, "")
-    assert served.returncode == 0
-    assert not any(child.is_running() for child in children)
+    try:
+        assert served.stderr is not None
+        said = served.stderr.readline()
+        assert said.startswith(f"kinlab: open http://127.0.0.1:{ports[1]}/?url=")
+        with urlopen(f"http://127.0.0.1:{ports[1]}/") as page:
+            assert page.status == 200
+        children = psutil.Process(served.pid).children(recursive=True)
+        assert children
+        served.send_signal(ending)
+        assert served.communicate() == (None, "")
+        assert served.returncode == 0
+        assert not any(child.is_running() for child in children)
+    finally:
+        served.kill()
 
 
 def test_tables_of_energy_have_no_picture(kinlab, tmp_path):

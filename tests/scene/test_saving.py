@@ -43,3 +43,15 @@ def test_folders_devices_and_places_that_are_not_there_are_refused(tmp_path):
             os.mkfifo(path)
         with pytest.raises(FileError, match=word):
             check_new(path, force=True)
+
+
+def test_two_recordings_of_one_robot_stay_two(scene, tmp_path):
+    from rerun.chunk import RrdReader
+
+    names = []
+    for i, recording in enumerate((scene, robot_scene(load_robot("udiebot")))):
+        save(recording, path := tmp_path / f"{i}.rrd")
+        (found,) = RrdReader(path).recordings()
+        names.append(found.recording_id)
+    assert len(set(names)) == 2
+    assert all(name.startswith("udiebot ") for name in names)

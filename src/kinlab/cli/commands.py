@@ -24,6 +24,7 @@ COMMANDS = {
     "view": "see a robot, a target, a gait or an experiment in 3-D, in rerun",
     "packet": "Dynamixel packets byte by byte, at a prompt, on an emulated chain or a real bus",
     "emulate": "an emulated servo chain for other programs, on a pty or TCP",
+    "learn": "the course: lessons that check themselves, in English and Bahasa Indonesia",
     "bus": "scan, read, write and monitor the servos on a port",
     "papers": "every number that the papers print, recomputed: what follows, what does not, and why",
     "serve": "the laboratory in a browser, for one person or a class",

@@ -52,7 +52,7 @@ class Mirror:
         if host not in (LOOPBACK, "localhost"):
             raise UsageError(f"a robot is mirrored on this machine, {LOOPBACK}, not on {host}")
         self.robot, self.address = robot, f"rerun+http://{LOOPBACK}:{port}/proxy"
-        self._recording = Live(f"{robot.name} live {time.time_ns()}")
+        self._recording = Live(f"{robot.name} live")
         try:
             socket.create_connection((LOOPBACK, port), timeout=PATIENCE).close()
         except OSError as error:

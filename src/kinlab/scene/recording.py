@@ -3,6 +3,7 @@
 import os
 from dataclasses import dataclass
 from typing import Any
+from uuid import uuid4
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -81,7 +82,9 @@ class Recording:
             KinlabError: rerun is not installed.
         """
         self.rr = load_rerun()
-        self.stream = self.rr.RecordingStream(APPLICATION, recording_id=name, send_properties=False)
+        # Two recordings of one name would become one in a viewer that has both.
+        own = f"{name} {uuid4().hex[:8]}"
+        self.stream = self.rr.RecordingStream(APPLICATION, recording_id=own, send_properties=False)
         self.stream.set_log_tick_enabled(False)
         self.stream.set_log_time_enabled(False)
         self._kept: Any = None

@@ -106,12 +106,11 @@ def run(
         RunawayError: the loop diverged.
         KinlabError: a servo has not answered for PATIENCE cycles in a row.
     """
-    clock = servos.bus.port.clock
     pushes = servos.world.pushes if servos.world else ()
-    record = Record.empty(servos.limb, track, settings.dt, clock.now(), pushes)
+    record = Record.empty(servos.limb, track, settings.dt, servos.bus.port.clock.now(), pushes)
+    loop = Loop(servos, track, settings, record.causes)
     servos.bus.tap = record.packets.append
     try:
-        loop = Loop(servos, track, settings, record.causes)
         for k in range(len(track.q)):
             record.note(k, loop.cycle(k))
             if tell:
