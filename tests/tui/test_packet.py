@@ -449,7 +449,7 @@ def test_faults_by_click_and_what_they_do_to_an_answer(at_station):
 
 
 def test_a_silent_chain_is_told_and_brought_back_by_key_or_click(at_station):
-    unpowered, dead = "its supply is off", "every servo on it is dead"
+    unpowered, dead = "its supply is off", "every servo is dead"
 
     async def script(person):
         ways = (lambda: person.press("ctrl+r"), lambda: person.click("#silence"))
