@@ -15,10 +15,10 @@ async def settle(pilot):
     """Until the rig has taken up the walk and measured the instant that is shown."""
     station = pilot.app.screen
     await pilot.pause()
-    while station.mill is None and not station.mill_problem:
+    while station.rig.mill is None and not station.rig.problem:
         await pilot.pause(0.02)
-    while station.mill is not None and (not station.mill.samples or station.mill.samples[-1].t < station.t):
-        station._tick()
+    while station.rig.tread(station.t):
+        pass
     station._show()
     await pilot.pause()
 
@@ -38,7 +38,7 @@ def run(lab):
 
 
 def facts(station):
-    return str(station.query_one("#facts", Static).content)
+    return f"{station.query_one('#facts', Static).content} {station.rig.content}"
 
 
 def phase(station):
@@ -160,7 +160,7 @@ def test_robots_gaits_and_legs_by_mouse(run):
     async def choose(pilot, box, row):
         await pilot.click(box)
         await pilot.pause()
-        await pilot.click(f"{box} SelectOverlay", (3, row))
+        await pilot.click(f"{box} SelectOverlay", (3, row + 1))
         await pilot.pause()
 
     async def script(pilot, station):
@@ -254,19 +254,19 @@ def test_the_rig_walks_along_and_tells_power_energy_and_cost(run):
         assert "Wh/m" not in facts(station)
         station.seek(1.2 * station.cycle.walk.period)
         await settle(pilot)
-        sample = station.sample
+        sample = station.rig.at(station.t)
         assert sample.t == pytest.approx(station.t, abs=0.03)
         assert f"{sample.power:.1f} W" in facts(station)
         assert f"{sample.energy:.4f} Wh" in facts(station)
-        assert f"{station.mill.per_metre:.3f} Wh/m" in facts(station)
+        assert f"{station.rig.mill.per_metre:.3f} Wh/m" in facts(station)
         # Back in time it is what was measured then.
         station.seek(0.5 * station.cycle.walk.period)
-        assert station.sample.energy < sample.energy
+        assert station.rig.at(station.t).energy < sample.energy
         # Another walk begins anew.
         await pilot.press("g")
         await settle(pilot)
-        assert station.mill.walk is station.cycle.walk
-        assert station.sample.energy < sample.energy
+        assert station.rig.mill.walk is station.cycle.walk
+        assert station.rig.at(station.t).energy < sample.energy
 
     run(script)
 

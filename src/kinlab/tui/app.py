@@ -7,12 +7,11 @@ from collections.abc import Callable, Iterable
 from functools import partial
 from importlib import import_module
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from rich.text import Text
 from textual.app import App, SystemCommand
 from textual.binding import Binding, BindingType
-from textual.command import CommandPalette, Provider
 from textual.screen import Screen
 
 from kinlab.errors import UsageError
@@ -20,11 +19,12 @@ from kinlab.files import own_folder
 from kinlab.language import LANGUAGES, language, words_of
 from kinlab.tui import themes
 from kinlab.tui.actions import SHELL, Action, bindings
-from kinlab.tui.crash import write_report
-from kinlab.tui.palette import Actions
 from kinlab.tui.settings import Settings
 from kinlab.tui.station import Station
 from kinlab.tui.stations import STATIONS
+
+if TYPE_CHECKING:
+    from textual.command import Provider
 
 OPEN = tuple(
     Action(f"open_{name}", f"f{i + 1},{i}", f"app.open_station('{name}')", shown=False)
@@ -38,6 +38,12 @@ def _station(name: str) -> Screen[Any]:
     return screen
 
 
+def _commands() -> "type[Provider]":
+    from kinlab.tui.palette import Actions
+
+    return Actions
+
+
 class KinlabApp(App[None]):
     """The laboratory.
 
@@ -45,12 +51,13 @@ class KinlabApp(App[None]):
         tongue: the language's code.
         ascii_only: whether drawings must do without braille and other signs.
         settings: what is kept between runs.
+        unkept: why it could not be kept; empty where it could.
     """
 
     MODES: ClassVar[dict[str, str | Callable[[], Screen[Any]]]] = {
         name: partial(_station, name) for name in STATIONS
     }
-    COMMANDS: ClassVar[set[type[Provider] | Callable[[], type[Provider]]]] = {Actions}
+    COMMANDS: ClassVar[set["type[Provider] | Callable[[], type[Provider]]"]] = {_commands}
     BINDINGS: ClassVar[list[BindingType]] = bindings((*SHELL, *OPEN))
     # Textual declares these in a way that reads as attributes of an instance.
     HORIZONTAL_BREAKPOINTS = [(0, "-narrow"), (80, "-normal"), (120, "-wide")]  # noqa: RUF012
@@ -72,12 +79,19 @@ class KinlabApp(App[None]):
         """
         super().__init__()
         self.folder = folder or own_folder()
+        self.unkept = ""
         self.settings, self.set_aside = Settings.load(self.folder / "tui.json")
         self.tongue = self._first_language()
         self.ascii_only = _plain()
         self._station = next((name for name in (station, self.settings.station) if name in STATIONS), "robot")
         for theme in themes.THEMES:
             self.register_theme(theme)
+        known = {theme.name for theme in themes.THEMES}
+        # Set before anything is drawn, so that nothing is styled twice.
+        self.set_reactive(
+            App.theme, self.settings.theme if self.settings.theme in known else themes.DARK.name
+        )
+        self.stylesheet.set_variables(self.get_css_variables())
 
     def _first_language(self) -> str:
         if os.environ.get("KINLAB_LANG") or self.settings.language not in LANGUAGES:
@@ -101,8 +115,6 @@ class KinlabApp(App[None]):
         return ()
 
     def on_mount(self) -> None:
-        known = {theme.name for theme in themes.THEMES}
-        self.theme = self.settings.theme if self.settings.theme in known else themes.DARK.name
         self.open_station(self._station)
         if self.set_aside is not None:
             text = words_of("kinlab.tui").say(self.tongue, "shell.damaged", file=self.set_aside)
@@ -154,6 +166,8 @@ class KinlabApp(App[None]):
 
     def action_command_palette(self) -> None:
         """Open the palette, with its question in the language of now."""
+        from textual.command import CommandPalette
+
         if not isinstance(self.screen, CommandPalette):
             question = words_of("kinlab.tui").say(self.tongue, "shell.search")
             self.push_screen(CommandPalette(placeholder=question, id="--command-palette"))
@@ -169,7 +183,7 @@ class KinlabApp(App[None]):
         for station in self.stations:
             if station.is_mounted:
                 self.settings.stations[station.NAME] = station.state()
-        self.settings.save(self.folder / "tui.json")
+        self.unkept = self.settings.save(self.folder / "tui.json")
 
     def exit(self, *args: Any, **settings: Any) -> None:
         """Keep the settings, and leave."""
@@ -178,6 +192,8 @@ class KinlabApp(App[None]):
 
     def _fatal_error(self) -> None:
         """KinLab itself has failed: no page of code, but where the report is and what is asked for."""
+        from kinlab.tui.crash import write_report
+
         report = write_report(self._exception, self.folder) if self._exception else None
         say = words_of("kinlab.tui").say
         cause = f"{type(self._exception).__name__}: {self._exception}"
@@ -201,4 +217,6 @@ def run(station: str | None = None) -> int:
     app = KinlabApp(station)
     app.animation_level = "none"
     app.run()
+    if app.unkept:
+        sys.stderr.write(f"kinlab: {app.unkept}\n")
     return app.return_code or 0

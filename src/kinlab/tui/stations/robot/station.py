@@ -120,8 +120,9 @@ class RobotStation(Station):
 
     def ready(self) -> None:
         self.relabel()
-        self.ask()
         self.query_one(Form).begin()
+        # The first frame does not wait for the answer, nor for the rooms that it needs.
+        self.call_after_refresh(self.ask)
 
     def relabel(self) -> None:
         self.query_one("#robot", Choice).offer(self.robots, self.robot.name)
@@ -140,6 +141,11 @@ class RobotStation(Station):
             self.call_after_refresh(self._show_rows)
 
     # Asking and showing.
+
+    @property
+    def asking(self) -> bool:
+        """Whether an answer is still to come."""
+        return self._busy
 
     def ask(self) -> None:
         """Walk the path for what is set now. While one question is out, only the latest other one is kept."""
@@ -165,7 +171,6 @@ class RobotStation(Station):
             self._busy = False
 
     def _ask_core(self, question: Question) -> "Answer":
-        # The first frame does not wait for rooms that only the answer needs: they are imported beside it.
         from kinlab.tui.stations.robot.asking import Asker
 
         self._asker = self._asker or Asker()
@@ -185,29 +190,31 @@ class RobotStation(Station):
         self._paint()
 
     def _paint(self) -> None:
-        """Show the answer of now."""
+        """Show the answer of now, if there is one."""
+        if self.answer is None:
+            return
         from kinlab.tui.stations.robot.telling import verdict
 
-        if self.answer is not None:
-            self.query_one(Form).offer_solutions(self.answer, self.say)
-            self._show_rows()
-            self._redraw()
-            refused, self.refused = self.refused, ""
-            self.tell(*(("warn", refused) if refused else verdict(self.answer, self.say)))
+        self.query_one(Form).offer_solutions(self.answer, self.say)
+        self._show_rows()
+        self._redraw()
+        refused, self.refused = self.refused, ""
+        self.tell(*(("warn", refused) if refused else verdict(self.answer, self.say)))
 
     def _show_rows(self) -> None:
+        if self.answer is None:
+            return
         from kinlab.tui.stations.robot.table import path_rows, print_rows
 
-        if self.answer is not None:
-            width, roomy = self.query_one("#path").size.width - 3, self.has_class("-tall")
-            beside = width >= BESIDE
-            width = max(width // 2 if beside else width, 40)
-            path = self.answer.path
-            blocks = [path_rows(path, self.say, width), print_rows(path, self.say, width, roomy=roomy)]
-            self.query_one("#print").display = beside
-            if beside:
-                retext(self.query_one("#print", Static), blocks.pop())
-            retext(self.query_one("#rows", Static), Content("\n").join(blocks))
+        width, roomy = self.query_one("#path").size.width - 3, self.has_class("-tall")
+        beside = width >= BESIDE
+        width = max(width // 2 if beside else width, 40)
+        path = self.answer.path
+        blocks = [path_rows(path, self.say, width), print_rows(path, self.say, width, roomy=roomy)]
+        self.query_one("#print").display = beside
+        if beside:
+            retext(self.query_one("#print", Static), blocks.pop())
+        retext(self.query_one("#rows", Static), Content("\n").join(blocks))
 
     def _show_form(self) -> None:
         form = self.query_one(Form)
@@ -321,11 +328,15 @@ class RobotStation(Station):
 
     def take(self, robot: Robot, limb: Limb | None = None) -> None:
         """Go on with another limb, at the place where its paper begins."""
-        self.robot, self.limb = robot, limb or robot.limb()
-        self.target, self.rpy = None, np.zeros(3)
-        self.angles, self.solution = None, ""
+        self.set(robot, limb or robot.limb())
         self.relabel()
         self.ask()
+
+    def set(self, robot: Robot, limb: Limb) -> None:
+        """Another limb; shows nothing yet."""
+        self.robot, self.limb = robot, limb
+        self.target, self.rpy = None, np.zeros(3)
+        self.angles, self.solution = None, ""
 
     # Keys.
 
