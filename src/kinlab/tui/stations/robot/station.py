@@ -40,6 +40,7 @@ class RobotStation(Station):
 
     NAME = "robot"
     ACTIONS = ACTIONS
+    AUTO_FOCUS = ""  # the form takes the focus itself, once it is laid out
     CSS = """
     RobotStation {
         #choices { height: 1; background: $surface; }
