@@ -42,7 +42,7 @@ def write_whole(path: Path, content: str | bytes, *, lasting: bool = False) -> N
 
     Args:
         path: of the file.
-        content: all of it.
+        content: all of it; text as UTF-8.
         lasting: come back only when it would survive a power cut.
 
     Raises:

@@ -10,7 +10,6 @@ from typing import Any
 
 import pytest
 
-from kinlab.cli.learn_prose import prose
 from kinlab.language import words_of
 from kinlab.lessons import Lesson, Progress, Sitting, load_course
 from kinlab.lessons.kinds import kind_of
@@ -129,6 +128,12 @@ def test_listing_needs_no_numpy(home: Path) -> None:
     assert run.returncode == 0, run.stderr
 
 
+def test_options_stand_before_or_behind_the_lesson(kinlab: Any) -> None:
+    before = kinlab("learn", "--lang", "id", "-p", "ani", LEG, "--json").json
+    assert before == kinlab("learn", LEG, "--lang", "id", "-p", "ani", "--json").json
+    assert before["language"] == "id"
+
+
 def test_one_answer_is_checked(kinlab: Any) -> None:
     sitting = Sitting.alone(load_course().lesson(LEG), "ani", "en")
     name = next(name for name, task in sitting.tasks.items() if task.exercise.kind == "vector")
@@ -243,6 +248,7 @@ def test_a_lesson_is_one_document(kinlab: Any) -> None:
         ([LEG, "--lessons", "/nowhere"], "/nowhere: cannot be read"),
         ([LEG, "--json", "--watch", "x"], "give one of the two"),
         (["export", "--csv", "--json"], "give one"),
+        (["--json", LEG], "--json goes behind the lesson"),
         (["verify", "/nowhere.json"], "/nowhere.json: cannot be read"),
         (["new", "../x"], "no name for a lesson"),
     ],
@@ -288,11 +294,3 @@ def test_a_watched_file_is_checked_when_it_is_saved(tmp_path: Path) -> None:
         assert process.wait(30) == 0
     count = len(sitting.tasks)
     assert f"{count} of {count} exercise(s) solved by yourself" in " ".join(rest.split())
-
-
-@pytest.mark.parametrize("columns", [12, 29, 30, 31, 47, 60])
-def test_a_full_stop_stays_with_the_word_before_it(columns: int) -> None:
-    lines = prose("In the paper of `xl430-hexapod`. You know a **limb frame**, don't you?", columns)
-    text = ["".join(part for _, part in line) for line in lines]
-    assert " ".join(text) == "In the paper of xl430-hexapod. You know a limb frame, don't you?"
-    assert all(len(line) <= columns or " " not in line for line in text)

@@ -44,6 +44,8 @@ def _learn(
     their own; a teacher reproduces them by the name of the profile.
     """
     ctx.obj = (lang, profile, lessons)
+    if json and ctx.invoked_subcommand:
+        raise UsageError("--json goes behind the lesson or the command: kinlab learn leg-geometry --json")
     if ctx.invoked_subcommand is None:
         _list(ctx, None, None, None, json)
 
@@ -225,7 +227,7 @@ for _name, _command, _example in (
 
 
 def _print(markdown: str) -> None:
-    from kinlab.cli.learn_prose import prose
+    from kinlab.cli.learn_prose import lines
     from kinlab.cli.printing import print_lines
 
-    print_lines(prose(markdown))
+    print_lines(lines(markdown))

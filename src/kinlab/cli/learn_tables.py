@@ -4,12 +4,13 @@ from typing import Any
 
 import typer
 
-from kinlab.cli.learn_prose import width, wrapped
+from kinlab.cli.learn_prose import width
 from kinlab.cli.printing import print_lines
 from kinlab.language import words_of
 from kinlab.lessons.course import Course
 from kinlab.lessons.lesson import Lesson
 from kinlab.lessons.progress import Progress, Standing
+from kinlab.lessons.prose import wrapped
 
 # Of one kind about one student, in the table for people.
 MOST_SENTENCES = 5
@@ -67,8 +68,8 @@ def show_list(course: Course, progress: Progress, language: str) -> None:
         style = "good" if done == count else "odd" if done else ""
         minutes = words.say(language, "talk.minutes", minutes=lesson.minutes)
         head = f"{number:>3}  {lesson.id:<{wide}}  {minutes:>7}  {done:>2}/{count}  "
-        lines = list(wrapped(lesson.title(language), max(width(), len(head) + 20), head=head))
-        print_lines([[(style, text) for _, text in line] for line in lines])
+        row = wrapped(lesson.title(language), max(width(), len(head) + 20), head=head)
+        print_lines([[(style, text) for _, text in line] for line in row])
     for problem in course.problems:
         print_lines([[("bad", words.say(language, "talk.broken", error=problem))]])
     typer.echo()

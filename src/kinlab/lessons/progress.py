@@ -6,7 +6,6 @@ A file that is damaged is set aside, and what can be read of it goes on in a new
 """
 
 import json
-import os
 import re
 import secrets
 import shutil
@@ -19,14 +18,14 @@ from pathlib import Path
 from typing import Any
 
 from kinlab.errors import FileError, UsageError
-from kinlab.files import locked, write_whole
+from kinlab.files import locked, own_folder, write_whole
 
 FORMAT = 1
-HOME = "KINLAB_HOME"
 PROFILE = "student"
 ENDING = ".jsonl"
 EVENTS = ("try", "hint", "shown", "reset")
 TRIES_BEFORE_SOLUTION = 3
+ELSEWHERE = "$KINLAB_HOME can name another folder for the progress"
 _NAME = re.compile(r"\w[\w.@-]{0,63}")
 
 
@@ -146,7 +145,7 @@ class Progress:
 
         Args:
             profile: its name.
-            folder: of all profiles; None: $KINLAB_HOME, else where the system keeps a user's data.
+            folder: of all profiles; None: `progress_folder`.
 
         Raises:
             UsageError: no name for a profile.
@@ -192,23 +191,28 @@ class Progress:
     def _add(self, event: Event | None) -> None:
         try:
             self.path.parent.mkdir(parents=True, exist_ok=True)
+            with locked(self.path):
+                self._append(event)
         except OSError as error:
-            raise FileError(f"{self.path.parent}: cannot be made: {error.strerror}") from None
-        with locked(self.path):
-            # Another window may have added to it.
-            if not self._load():
-                self._put_aside()
-            if event:
-                self.events.append(event)
-            # What is there already is not written anew: a long history costs no more than its bytes.
-            known = self._raw.decode() if self._raw else _line(self._head())
-            self._write(known + (_line(asdict(event)) if event else ""))
+            raise FileError(f"{self.path.parent}: cannot be made: {error.strerror}; {ELSEWHERE}") from None
+        except FileError as error:
+            raise FileError(f"{error}; {ELSEWHERE}") from None
+
+    def _append(self, event: Event | None) -> None:
+        # Another window may have added to it.
+        if not self._load():
+            self._put_aside()
+        # What is there already is not written anew: a long history costs no more than its bytes.
+        known = self._raw.decode() if self._raw else _line(self._head())
+        self._write(known + (_line(asdict(event)) if event else ""))
+        if event:
+            self.events.append(event)
 
     def _load(self) -> bool:
         """Take in the file, as much of it as is sound; whether all of it is."""
         try:
             raw = self.path.read_bytes()
-        except FileNotFoundError:
+        except (FileNotFoundError, NotADirectoryError):
             self._raw, self.events = b"", []
             return True
         except OSError as error:
@@ -292,13 +296,8 @@ def _parse(raw: bytes) -> tuple[dict[str, Any], list[Event], bool]:
 
 
 def progress_folder() -> Path:
-    """Where profiles are kept: $KINLAB_HOME, else the place that the system has for a user's data."""
-    home = os.environ.get(HOME)
-    if home:
-        return Path(home) / "progress"
-    from platformdirs import user_data_path
-
-    return user_data_path("kinlab", appauthor=False) / "progress"
+    """Where profiles are kept, among what is the user's own."""
+    return own_folder() / "progress"
 
 
 def profiles(folder: Path | None = None) -> list[str]:
