@@ -78,7 +78,7 @@ class RobotStation(Station):
         self.rpy: Array = np.zeros(3)
         self.angles: Array | None = None
         self.frame, self.solution = "limb", ""
-        self.powered, self.ghost, self.bounds = True, False, True
+        self.powered, self.mirrored, self.ghost, self.bounds = True, False, False, True
         self.answer: Answer | None = None
         self.stood: Array | None = None
         self._asker: Asker | None = None
@@ -152,8 +152,9 @@ class RobotStation(Station):
         """Walk the path for what is set now. While one question is out, only the latest other one is kept."""
         attitude = self.rpy if len(self.limb.joints) >= 6 else None
         self._asked = Question(
-            self.robot, self.limb, self.target, attitude, self.angles, self.frame, self.solution, self.powered
-        )
+            self.robot, self.limb, self.target, attitude, self.angles, self.frame, self.solution,
+            self.powered, self.mirrored,
+        )  # fmt: skip
         if not self._busy:
             self._busy = True
             self.run_worker(self._answer_all(), group="path", exit_on_error=True)
@@ -199,6 +200,8 @@ class RobotStation(Station):
         self.query_one(Form).offer_solutions(self.answer, self.say)
         self._show_rows()
         self._redraw()
+        if self.answer.unmirrored:
+            self.mirrored, self.refused = False, self.answer.unmirrored
         refused, self.refused = self.refused, ""
         self.tell(*(("warn", refused) if refused else verdict(self.answer, self.say)))
 
@@ -318,9 +321,10 @@ class RobotStation(Station):
             self.ask()
 
     def _posed(self) -> Array:
-        """The angles of now; those of the limits' middle where the target has none."""
-        pose = self.answer and self.answer.path.pose
-        return pose.q if pose else self.limb.limits.mean(axis=0)
+        """The angles of now; where the target has none, those in which the limb stands; else the limits' middle."""
+        if self.answer is None or self.answer.question.limb is not self.limb or self.stood is None:
+            return np.asarray(self.limb.limits.mean(axis=0))
+        return self.stood
 
     def _begin_at_angles(self, angles: Array | None) -> None:
         self.angles = angles
@@ -390,6 +394,11 @@ class RobotStation(Station):
     def action_power(self) -> None:
         """Switch the supply of the emulated chain."""
         self.powered = not self.powered
+        self.ask()
+
+    def action_mirror(self) -> None:
+        """Show the limb in a viewer too, or no longer."""
+        self.mirrored = not self.mirrored
         self.ask()
 
     def check_action(self, action: str, parameters: tuple[object, ...]) -> bool | None:
