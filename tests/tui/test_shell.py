@@ -5,9 +5,10 @@ import json
 import pytest
 from textual.widgets import Static
 
-from kinlab.language import words_of
+from kinlab.language import LANGUAGES, words_of
 from kinlab.tui.actions import SHELL
 from kinlab.tui.app import _station
+from kinlab.tui.help import Help
 from kinlab.tui.palette import Actions
 from kinlab.tui.station import Station
 from kinlab.tui.stations import STATIONS
@@ -40,6 +41,41 @@ def test_the_line_of_keys_holds_help_and_quit_at_every_size_and_focus(lab, stati
                 assert line.endswith("^q quit")
 
     lab.drive(script, station)
+
+
+def test_the_bar_names_the_keys_that_open_the_stations_now(lab):
+    async def script(pilot):
+        assert "F2 Robot  F3 Gait" in lab.rows(pilot.app)[0]
+        await pilot.press("escape")
+        await pilot.pause()
+        assert "1 Robot  2 Gait" in lab.rows(pilot.app)[0]
+
+    lab.drive(script, "robot")
+
+
+def test_the_bar_has_room_for_every_station_at_every_size_in_every_language(lab):
+    async def script(pilot):
+        for _ in LANGUAGES:
+            await pilot.press("ctrl+l")
+            await pilot.pause()
+            bar = lab.rows(pilot.app)[0]
+            assert all(
+                words_of("kinlab.tui").say(pilot.app.tongue, f"station.{name}") in bar for name in STATIONS
+            )
+
+    lab.drive(script, "robot", (60, 20))
+
+
+def test_the_question_mark_asks_for_help_in_the_middle_of_a_number(lab):
+    async def script(pilot):
+        await pilot.press("7", "question_mark")
+        await pilot.pause()
+        assert isinstance(pilot.app.screen, Help)
+        await pilot.press("escape", "5")
+        await pilot.pause()
+        assert pilot.app.focused.value == "75"
+
+    lab.drive(script, "robot")
 
 
 def test_a_terminal_too_small_is_told_the_size_it_needs_and_goes_on_when_it_grows(lab, station):

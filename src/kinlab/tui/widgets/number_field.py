@@ -6,6 +6,7 @@ from typing import ClassVar
 from textual import on
 from textual.actions import SkipAction
 from textual.binding import Binding, BindingType
+from textual.events import Key
 from textual.message import Message
 from textual.widgets import Input
 
@@ -84,6 +85,11 @@ class NumberField(Input):
     def check_consume_key(self, key: str, character: str | None) -> bool:
         """No number has a question mark in it: that key remains the help's."""
         return character != "?" and super().check_consume_key(key, character)
+
+    def on_key(self, event: Key) -> None:
+        """Leave the question mark to the help."""
+        if event.character == "?":
+            event.prevent_default()
 
     def show(self, number: float) -> None:
         """Put a number there; tells nobody. A person who is typing is not disturbed by the number that stood there."""
