@@ -126,17 +126,18 @@ def test_theme_and_language_are_kept_until_the_next_run(lab):
     assert (kept["theme"], kept["language"]) == ("kinlab-light", "id")
 
 
-def test_damaged_settings_are_put_aside_and_named(lab, tmp_path):
+@pytest.mark.parametrize("damaged", ['{"theme": 7', "[]", "[" * 100_000], ids=["cut", "list", "deep"])
+def test_damaged_settings_are_put_aside_and_named(lab, tmp_path, damaged):
     folder = tmp_path / "state"
     folder.mkdir()
-    (folder / "tui.json").write_text('{"theme": 7')
+    (folder / "tui.json").write_text(damaged)
 
     async def script(pilot):
         assert pilot.app.theme == "kinlab-dark"
 
     app = lab.drive(script)
     assert app.set_aside == folder / "tui.damaged"
-    assert app.set_aside.read_text() == '{"theme": 7'
+    assert app.set_aside.read_text() == damaged
 
 
 def test_the_palette_finds_an_action_by_its_name(lab):

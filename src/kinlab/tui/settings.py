@@ -40,7 +40,7 @@ class Settings:
             return cls(), None
         except OSError:
             return cls(), None
-        except (ValueError, TypeError):
+        except (ValueError, TypeError, RecursionError):
             aside = path.with_suffix(".damaged")
             try:
                 os.replace(path, aside)

@@ -177,6 +177,7 @@ def test_what_is_no_message_is_passed_over(serve):
                 '["stdin", 1]',
                 '["resize", {"width": "x"}]',
                 "[[]]",
+                "[" * 100_000,
             ):
                 await visitor.line.send_str(nonsense)
             await visitor.line.send_bytes(b"\xff")

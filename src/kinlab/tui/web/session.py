@@ -99,7 +99,7 @@ class Session(AppService):
                 continue
             try:
                 said = message.json()
-            except ValueError:
+            except (ValueError, RecursionError):
                 continue
             await self._hear(said)
 
