@@ -1,13 +1,17 @@
 """What every station has: keys, help, palette, languages, themes, settings, and a notice where there is no room."""
 
 import json
+import os
+import signal
+import sys
 
 import pytest
 from textual.widgets import Static
 
+from kinlab.errors import FileError
 from kinlab.language import LANGUAGES, words_of
 from kinlab.tui.actions import SHELL
-from kinlab.tui.app import _station
+from kinlab.tui.app import _station, run
 from kinlab.tui.help import Help
 from kinlab.tui.palette import Actions
 from kinlab.tui.station import Station
@@ -138,6 +142,57 @@ def test_damaged_settings_are_put_aside_and_named(lab, tmp_path, damaged):
     app = lab.drive(script)
     assert app.set_aside == folder / "tui.damaged"
     assert app.set_aside.read_text() == damaged
+
+
+def test_a_robots_file_that_cannot_be_read_is_named_before_anything_opens(tmp_path, monkeypatch, capsys):
+    broken = tmp_path / "robots.yaml"
+    broken.write_text("robots: [\n")
+    monkeypatch.setenv("KINLAB_ROBOTS", str(broken))
+    assert run() == 2
+    assert capsys.readouterr().err.startswith(f"kinlab: {broken}:")
+
+
+def test_a_robots_file_that_breaks_meanwhile_is_no_mistake_of_kinlab(lab, tmp_path, monkeypatch, capsys):
+    async def script(pilot):
+        broken = tmp_path / "robots.yaml"
+        broken.write_text("robots: [\n")
+        monkeypatch.setenv("KINLAB_ROBOTS", str(broken))
+        await pilot.press("f3")
+        await pilot.pause()
+
+    with pytest.raises(FileError):
+        lab.drive(script)
+    told = capsys.readouterr().err
+    assert "not valid YAML" in told
+    assert "mistake" not in told
+    assert not list((tmp_path / "state").glob("crash-*"))
+
+
+def test_a_crash_report_does_not_tell_whose_machine_it_was(lab, tmp_path, monkeypatch, capsys):
+    monkeypatch.setenv("HOME", str(tmp_path))
+
+    async def script(pilot):
+        pilot.app.action_theme = lambda: (tmp_path / "thesis").read_text()
+        await pilot.press("escape", "ctrl+t")
+        await pilot.pause()
+
+    with pytest.raises(FileNotFoundError):
+        lab.drive(script)
+    assert "report it" in capsys.readouterr().err
+    (report,) = (tmp_path / "state").glob("crash-*")
+    assert "~/thesis" in report.read_text()
+    assert str(tmp_path) not in report.read_text()
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="there are no such signals")
+def test_a_terminal_that_is_closed_keeps_what_was_chosen(lab, tmp_path):
+    async def script(pilot):
+        await pilot.press("ctrl+t")
+        os.kill(os.getpid(), signal.SIGHUP)
+        await pilot.pause()
+
+    lab.drive(script)
+    assert json.loads((tmp_path / "state" / "tui.json").read_text())["theme"] == "kinlab-light"
 
 
 def test_the_palette_finds_an_action_by_its_name(lab):

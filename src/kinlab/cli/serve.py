@@ -51,8 +51,8 @@ def serve(
         raise UsageError(f"--sessions is a number from 1 on, not {sessions}")
     if not 0 <= port <= 65535:
         raise UsageError(f"--port is a number from 0 to 65535, not {port}")
+    robot_names(robots)
     if robots:
-        robot_names(robots)
         os.environ["KINLAB_ROBOTS"] = str(robots.resolve())
     folders = own_folder() / "visitors"
 

@@ -1,9 +1,12 @@
 """The application: stations as modes, themes, languages, settings; nothing of the laboratory itself."""
 
+import asyncio
 import os
 import re
+import signal
 import sys
 from collections.abc import Callable, Iterable
+from contextlib import suppress
 from functools import partial
 from importlib import import_module
 from pathlib import Path
@@ -14,7 +17,7 @@ from textual.app import App, SystemCommand
 from textual.binding import Binding, BindingType
 from textual.screen import Screen
 
-from kinlab.errors import UsageError
+from kinlab.errors import KinlabError, UsageError
 from kinlab.files import own_folder
 from kinlab.language import LANGUAGES, language, words_of
 from kinlab.tui import themes
@@ -115,6 +118,10 @@ class KinlabApp(App[None]):
         return ()
 
     def on_mount(self) -> None:
+        # A terminal that is closed, or a process that is ended, is left as by the key: what was chosen is kept.
+        for name in ("SIGHUP", "SIGTERM"):
+            with suppress(NotImplementedError, AttributeError):
+                asyncio.get_running_loop().add_signal_handler(getattr(signal, name), self.exit)
         self.open_station(self._station)
         if self.set_aside is not None:
             text = words_of("kinlab.tui").say(self.tongue, "shell.damaged", file=self.set_aside)
@@ -191,9 +198,18 @@ class KinlabApp(App[None]):
         super().exit(*args, **settings)
 
     def _fatal_error(self) -> None:
-        """KinLab itself has failed: no page of code, but where the report is and what is asked for."""
+        """KinLab itself has failed: no page of code, but where the report is and what is asked for.
+
+        What a person's file or request caused (a robots file that became unreadable meanwhile) is told as
+        everywhere on the command line.
+        """
         from kinlab.tui.crash import write_report
 
+        if isinstance(self._exception, KinlabError):
+            self._return_code = self._exception.exit_code
+            self._exit_renderables.append(Text(f"kinlab: {self._exception}"))
+            self._close_messages_no_wait()
+            return
         report = write_report(self._exception, self.folder) if self._exception else None
         say = words_of("kinlab.tui").say
         cause = f"{type(self._exception).__name__}: {self._exception}"
@@ -214,6 +230,14 @@ def _plain() -> bool:
 def run(station: str | None = None) -> int:
     """Open the laboratory in this terminal, until a person leaves it; its exit code."""
     os.environ.setdefault("TEXTUAL_ANIMATIONS", "none")
+    if os.environ.get("KINLAB_ROBOTS"):
+        from kinlab.robots import robot_names
+
+        try:
+            robot_names()
+        except KinlabError as error:
+            sys.stderr.write(f"kinlab: {error}\n")
+            return error.exit_code
     app = KinlabApp(station)
     app.animation_level = "none"
     app.run()

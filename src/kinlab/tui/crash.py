@@ -21,6 +21,8 @@ def write_report(error: BaseException, folder: Path) -> Path | None:
             "".join(traceback.format_exception(error)),
         ]
     )
+    # Whose machine it is, is nobody's business who mends KinLab.
+    text = text.replace(str(Path.home()), "~")
     try:
         folder.mkdir(parents=True, exist_ok=True)
         path.write_text(text, encoding="utf-8")
