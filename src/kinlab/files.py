@@ -32,10 +32,15 @@ def file_named(text: str) -> Path:
     return folder / text
 
 
-def write_whole(path: Path, text: str) -> None:
+def write_whole(path: Path, text: str, *, lasting: bool = False) -> None:
     """Put `text` into the file in one step: who reads it meanwhile sees the old one.
 
     What stands there and is no file, such as /dev/stdout, is written to and never replaced.
+
+    Args:
+        path: of the file.
+        text: all of it.
+        lasting: come back only when it would survive a power cut.
 
     Raises:
         FileError: it cannot be written.
@@ -48,12 +53,27 @@ def write_whole(path: Path, text: str) -> None:
         if path.exists() and not path.is_file():
             path.write_text(text, encoding="utf-8", newline="")
             return
-        draft.write_text(text, encoding="utf-8", newline="")
+        with draft.open("w", encoding="utf-8", newline="") as file:
+            file.write(text)
+            if lasting:
+                file.flush()
+                os.fsync(file.fileno())
         # A link stays a link: what it names is replaced.
         os.replace(draft, goal)
+        if lasting and os.name == "posix":
+            _sync_folder(goal.parent)
     except OSError as error:
         draft.unlink(missing_ok=True)
         raise FileError(f"{path}: cannot be written: {error.strerror}") from None
+
+
+def _sync_folder(folder: Path) -> None:
+    """Make a file's new name last: that stands in its folder."""
+    handle = os.open(folder, os.O_RDONLY)
+    try:
+        os.fsync(handle)
+    finally:
+        os.close(handle)
 
 
 def check_writable(path: Path) -> None:

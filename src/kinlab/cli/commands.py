@@ -23,6 +23,7 @@ COMMANDS = {
     "arm": "the receptionist's arm follows a line, yields to a hand, and observes what pushes it",
     "packet": "Dynamixel packets byte by byte, at a prompt, on an emulated chain or a real bus",
     "emulate": "an emulated servo chain for other programs, on a pty or TCP",
+    "learn": "the course: lessons that check themselves, in English and Bahasa Indonesia",
     "bus": "scan, read, write and monitor the servos on a port",
     "serve": "the laboratory in a browser, for one person or a class",
 }

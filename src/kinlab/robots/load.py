@@ -41,7 +41,7 @@ def load_robots(file: str | os.PathLike[str] | None = None) -> dict[str, Robot]:
 
 def shipped_robots() -> dict[str, Robot]:
     """KinLab's own robots by name, whatever `$KINLAB_ROBOTS` says."""
-    shelf = _Shelf(_shipped_document())
+    shelf = _own_shelf()
     return {name: shelf.robot(name) for name in shelf.names()}
 
 
@@ -67,13 +67,15 @@ class _Shelf:
     def __init__(self, *documents: Document) -> None:
         self.documents = documents
         self.holder = {name: doc for doc in documents for name in doc.tree.get("robots", {})}
+        self._built: dict[str, Robot] = {}
 
     @classmethod
     def of(cls, file: str | os.PathLike[str] | None) -> "_Shelf":
         ours, *users = documents(file)
+        if not users:
+            return _own_shelf()
         shelf = cls(ours, *users)
-        if users:
-            _ = shelf.servo_models  # Those that no robot wears are checked too.
+        _ = shelf.servo_models  # Those that no robot wears are checked too.
         for document in users:
             for name in document.tree.get("robots", {}):
                 shelf.robot(name)
@@ -83,6 +85,11 @@ class _Shelf:
         return list(self.holder)
 
     def robot(self, name: str) -> Robot:
+        if name not in self._built:
+            self._built[name] = self._build(name)
+        return self._built[name]
+
+    def _build(self, name: str) -> Robot:
         document = self.holder[name]
         spec = document.robot(name)
         try:
@@ -101,6 +108,12 @@ class _Shelf:
                 except SpecError as error:
                     raise document.error((*at, *error.place), str(error)) from None
         return found
+
+
+@cache
+def _own_shelf() -> _Shelf:
+    """KinLab's own robots: each is built once, as nothing can change it."""
+    return _Shelf(_shipped_document())
 
 
 @cache

@@ -1,0 +1,86 @@
+"""Buses that do not answer, and what is the matter with them: AX-12A on emulated wires."""
+
+from kinlab.dynamixel.sandbox import Session, execute
+from kinlab.lessons.results import Goal, Holds
+
+AX = "AX-12A"
+# What is done to a servo before it is asked.
+CAUSES = {
+    "echo": ("echo on",),
+    "voltage": ("power 5.5", "wait 0.1"),
+    "heat": ("fault {servo} overheating",),
+    "silence": ("power off",),
+}
+
+
+def heard(cause: str, servo: int) -> str:
+    """The bytes that come back when the servo's lamp is read, or "-" for none."""
+    return _ask(cause, servo).last.received.hex(" ").upper() or "-"
+
+
+def sent(cause: str, servo: int) -> bytes:
+    """The bytes of the question."""
+    return _ask(cause, servo).last.sent
+
+
+def _ask(cause: str, servo: int) -> Session:
+    session = Session(f"{AX}:{servo}")
+    for line in CAUSES[cause]:
+        execute(session, line.format(servo=servo))
+    execute(session, f"read {servo} led")
+    return session
+
+
+def told(cause: str) -> str:
+    """The cause itself: the option's key."""
+    return cause
+
+
+def other_speed(servo: int, speed: int) -> Goal:
+    """A servo that was set to another speed, by somebody; its lamp is to be lit."""
+    return Goal(
+        f"{AX}:{servo}",
+        (Holds(servo, "led", 1, 1),),
+        (f"baud {speed}", f"write {servo} led 1"),
+        setup=(f"fault {servo} baud {speed}",),
+        as_real=True,
+    )
+
+
+def unknown_id(servo: int) -> Goal:
+    """A servo whose id nobody remembers; its lamp is to be lit."""
+    return Goal(f"{AX}:{servo}", (Holds(servo, "led", 1, 1),), ("scan", f"write {servo} led 1"), as_real=True)
+
+
+def wire(first: int, step: int) -> list[int]:
+    """The ids of six servos in the order in which the cable runs through them."""
+    return [1 + (first + step * place) % 7 for place in range(6)]
+
+
+def found(first: int, step: int, intact: int) -> list[int]:
+    """What a scan finds, ascending, when the cable is broken behind the servo at place `intact`."""
+    chain = wire(first, step)
+    session = Session(f"{AX}:{','.join(map(str, sorted(chain)))}")
+    for servo in chain[intact:]:
+        execute(session, f"fault {servo} dead")
+    return sorted(servo.id for servo in session.scan())
+
+
+def first_cut_off(first: int, step: int, intact: int) -> float:
+    """The servo at whose input the cable is broken."""
+    return wire(first, step)[intact]
+
+
+def last_reached(first: int, step: int, intact: int) -> float:
+    """The last servo before the break."""
+    return wire(first, step)[intact - 1]
+
+
+def smallest_missing(first: int, step: int, intact: int) -> float:
+    """The lowest id that does not answer: right only where ids run along the cable."""
+    return min(wire(first, step)[intact:])
+
+
+def telling(first: int, step: int, intact: int) -> bool:
+    """Whether the lowest missing id is not the answer."""
+    return smallest_missing(first, step, intact) != first_cut_off(first, step, intact)

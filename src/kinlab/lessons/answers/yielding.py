@@ -1,0 +1,76 @@
+"""The virtual mass, damper and spring that yields to a hand: receptionist-arm (2.7). Torques in kgf cm."""
+
+import numpy as np
+
+from kinlab.control import SecondOrder, low_pass
+from kinlab.rig.arm.loop import TABLE_4_1
+
+CYCLE_MS = 16.0
+
+
+def printed() -> dict[str, float]:
+    """The paper's own set, Table 4.1: kf, kenv, denv, menv."""
+    return {name: float(value) for name, value in TABLE_4_1._asdict().items()}
+
+
+def steady(kf: float, kenv: float, torque: float) -> float:
+    """How far a joint gives way to a torque that stays, degrees."""
+    return float(np.degrees(kf * torque / kenv))
+
+
+def steady_turned_over(kf: float, kenv: float, torque: float) -> float:
+    """As `steady`, spring and gain in each other's place."""
+    return float(np.degrees(kenv * torque / kf))
+
+
+def gain_for(angle: float, torque: float, kenv: float) -> float:
+    """The Kf with which a torque moves the joint by `angle` degrees."""
+    return float(np.radians(angle)) * kenv / torque
+
+
+def gain_for_degrees(angle: float, torque: float, kenv: float) -> float:
+    """As `gain_for`, degrees taken for radians."""
+    return angle * kenv / torque
+
+
+def damping(kenv: float, denv: float, menv: float) -> float:
+    """The damping ratio, (2.14)."""
+    return SecondOrder.of_environment(kenv, denv, menv).zeta
+
+
+def damping_without_two(kenv: float, denv: float, menv: float) -> float:
+    """As `damping`, the 2 below forgotten."""
+    return 2 * damping(kenv, denv, menv)
+
+
+def damping_without_root(kenv: float, denv: float, menv: float) -> float:
+    """As `damping`, the root forgotten."""
+    return denv / (2 * kenv * menv)
+
+
+def swings(kenv: float, denv: float, menv: float) -> str:
+    """What the arm does when the hand lets go: "swings" or "creeps"."""
+    return "swings" if SecondOrder.of_environment(kenv, denv, menv).oscillates else "creeps"
+
+
+def clear(kenv: float, denv: float, menv: float) -> bool:
+    """Whether the answer is far enough from the border between swinging and creeping."""
+    return abs(damping(kenv, denv, menv) - 1) > 0.15
+
+
+def cycles(alpha: float, share: float) -> float:
+    """After how many cycles the filtered torque has come to `share` per cent of a torque that begins and stays."""
+    value, count = np.zeros(()), 0
+    while value < share / 100:
+        value, count = low_pass(value, 1.0, alpha), count + 1
+    return float(count)
+
+
+def delay(alpha: float, share: float) -> float:
+    """The same in milliseconds."""
+    return cycles(alpha, share) * CYCLE_MS
+
+
+def cycles_in_a_line(alpha: float, share: float) -> float:
+    """As `cycles`, each cycle taken to add the same."""
+    return float(np.ceil(share / 100 / alpha))

@@ -1,0 +1,127 @@
+"""The course: KinLab's own lessons, and those of a folder that a teacher names."""
+
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from kinlab.errors import FileError
+from kinlab.language import LANGUAGES
+from kinlab.lessons.lesson import Lesson, LessonError, Place
+from kinlab.lessons.progress import Progress
+from kinlab.lessons.reading import read_lesson
+from kinlab.names import resolve
+from kinlab.shipped import shipped
+
+GLOSSARY = "glossary.toml"
+
+
+@dataclass(frozen=True)
+class Term:
+    """A word of the field.
+
+    Attributes:
+        name: as the lessons write it.
+        meanings: in a sentence, by language.
+        forms: other forms of it in a text, such as the plural.
+    """
+
+    name: str
+    meanings: Mapping[str, str]
+    forms: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Course:
+    """Lessons that can be taken, and what is wrong with the others.
+
+    Attributes:
+        lessons: by id, in the order of the course.
+        problems: of files that could not be read, each with its name and line.
+        glossary: by name.
+    """
+
+    lessons: Mapping[str, Lesson]
+    problems: tuple[LessonError, ...]
+    glossary: Mapping[str, Term]
+
+    def lesson(self, name: str) -> Lesson:
+        """The lesson that `name` means: exact, a unique beginning, or its number in the course.
+
+        Raises:
+            UsageError: no such lesson.
+        """
+        if name.isdecimal() and 1 <= int(name) <= len(self.lessons):
+            return list(self.lessons.values())[int(name) - 1]
+        broken = next((p for p in self.problems if str(p).startswith(f"{name}/")), None)
+        if broken is not None and name not in self.lessons:
+            raise broken
+        return self.lessons[resolve(name, self.lessons, "lesson")]
+
+    def next_for(self, progress: Progress) -> Lesson | None:
+        """The first lesson that a student has not finished; None where all are."""
+        for lesson in self.lessons.values():
+            if not all(
+                progress.standing(lesson.id, lesson.version, exercise.id).done
+                for exercise in lesson.exercises
+            ):
+                return lesson
+        return None
+
+
+def load_course(folder: Path | None = None) -> Course:
+    """KinLab's lessons and, with `folder`, those in it; one of the same name takes the place of ours.
+
+    A lesson with an error is left out and listed; the others still work. Needs no numpy.
+
+    Raises:
+        FileError: the folder cannot be read, or holds no lessons.
+    """
+    lessons: dict[str, Lesson] = {}
+    problems: list[LessonError] = []
+    glossary: dict[str, Term] = {}
+    for root in [shipped("lessons"), *([folder] if folder else [])]:
+        folders = _folders(root)
+        if root is folder and not folders:
+            raise FileError(f"{root}: holds no lessons: folders with a file en.md")
+        glossary |= read_glossary(root / GLOSSARY, problems)
+        for each in folders:
+            lessons.pop(each.name, None)
+            try:
+                lessons[each.name] = read_lesson(each)
+            except LessonError as error:
+                problems.append(error)
+    ordered = sorted(lessons.values(), key=lambda lesson: (lesson.order, lesson.id))
+    return Course({lesson.id: lesson for lesson in ordered}, tuple(problems), glossary)
+
+
+def _folders(root: Path) -> list[Path]:
+    try:
+        return sorted(each for each in root.iterdir() if each.is_dir() and (each / "en.md").exists())
+    except OSError as error:
+        raise FileError(f"{root}: cannot be read: {error.strerror}") from None
+
+
+def read_glossary(path: Path, problems: list[LessonError]) -> dict[str, Term]:
+    """The terms of a glossary's file; none where there is no such file."""
+    place = Place(path.name, 1)
+    if not path.exists():
+        return {}
+    try:
+        tree = tomllib.loads(path.read_text(encoding="utf-8"))
+    except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
+        problems.append(place.error(f"no valid TOML: {error}"))
+        return {}
+    found = {}
+    for name, entry in tree.items():
+        texts = (
+            {code: entry[code] for code in LANGUAGES if isinstance(entry.get(code), str)}
+            if isinstance(entry, dict)
+            else {}
+        )
+        forms = entry.get("forms", []) if isinstance(entry, dict) else []
+        if "en" not in texts or not isinstance(forms, list) or not all(isinstance(f, str) for f in forms):
+            problems.append(place.error(f"'{name}' is a table with en, id and forms"))
+            continue
+        found[name] = Term(name, texts, tuple(forms))
+    return found

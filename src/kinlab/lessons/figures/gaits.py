@@ -1,0 +1,12 @@
+"""Gaits over one cycle."""
+
+from kinlab.gait import find_gait
+from kinlab.gait.drawing import bars as draw_bars
+from kinlab.robots import load_robot
+
+
+def bars(robot: str, gait: str, columns: int = 40, ascii_only: bool = False) -> str:
+    """A line for each leg: blocks where it swings, dots where it stands."""
+    width = 12 * max(1, min(columns - 4, 60) // 12)
+    drawn = draw_bars(find_gait(load_robot(robot), gait), width, ascii_only=ascii_only)
+    return "\n".join(f"{leg}  {bar}" for leg, bar in drawn.items())

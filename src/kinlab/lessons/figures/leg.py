@@ -1,0 +1,37 @@
+"""The three-joint leg in small pictures."""
+
+import numpy as np
+
+from kinlab.canvas import Canvas
+from kinlab.robots import load_robot
+from kinlab.robots.drawing import draw_limb
+
+
+def side(
+    robot: str,
+    alpha: float,
+    beta: float,
+    gamma: float,
+    limb: str = "",
+    columns: int = 40,
+    ascii_only: bool = False,
+) -> Canvas:
+    """The leg in its own plane, z up, its links named."""
+    leg = load_robot(robot).limb(limb or None)
+    q = np.radians([alpha, beta, gamma])
+    return draw_limb(leg, q, columns=columns, rows=12, ascii_only=ascii_only)[0]
+
+
+def top(
+    robot: str,
+    alpha: float,
+    beta: float,
+    gamma: float,
+    limb: str = "",
+    columns: int = 40,
+    ascii_only: bool = False,
+) -> Canvas:
+    """The leg from above, x to the right, y up."""
+    leg = load_robot(robot).limb(limb or None)
+    q = np.radians([alpha, beta, gamma])
+    return draw_limb(leg, q, columns=columns, rows=12, ascii_only=ascii_only)[1]

@@ -1,0 +1,41 @@
+"""The kinds of exercise: what a reply looks like, which one is right, and what to say to the others."""
+
+from collections.abc import Sequence
+from importlib import import_module
+from typing import Protocol, cast
+
+from kinlab.lessons.replies import UnreadableError
+from kinlab.lessons.task import Task, Verdict
+
+
+class Kind(Protocol):
+    """What the module of a kind offers."""
+
+    def shape(self, task: Task) -> str:
+        """What a reply looks like, in a sentence or a list, to stand below the question."""
+
+    def right(self, task: Task) -> str:
+        """A right reply."""
+
+    def wrong(self, task: Task) -> Sequence[str]:
+        """Replies that must not pass."""
+
+    def judge(self, task: Task, reply: str) -> Verdict:
+        """What is said to a reply.
+
+        Raises:
+            UnreadableError: it is none.
+        """
+
+
+def kind_of(task: Task) -> Kind:
+    """The module that knows the task's kind."""
+    return cast(Kind, import_module(f"kinlab.lessons.kinds.{task.exercise.kind}"))
+
+
+def judge(task: Task, reply: str) -> Verdict:
+    """What is said to a reply; one that cannot be read is no try."""
+    try:
+        return kind_of(task).judge(task, reply)
+    except UnreadableError as error:
+        return Verdict(False, error.code, task.say(f"unreadable.{error.code}", **error.values), counts=False)

@@ -1,0 +1,53 @@
+"""One of several options, each with a reason why it is right or wrong."""
+
+from collections.abc import Sequence
+
+from kinlab.lessons.parameters import shuffled
+from kinlab.lessons.replies import UnreadableError, clean, quote
+from kinlab.lessons.task import Task, Verdict, parts_of
+
+
+def letters(task: Task) -> dict[str, str]:
+    """Letters to options' keys, in an order of the student's own."""
+    keys = shuffled(list(task.field["options"]), parts_of(task))
+    return {chr(ord("a") + i): key for i, key in enumerate(keys)}
+
+
+def shape(task: Task) -> str:
+    """The options, and that a letter is enough."""
+    options = [f"{letter}) {task.text(task.wording.options[key])}" for letter, key in letters(task).items()]
+    return "  \n".join(options) + "\n\n" + task.say("choice.shape")
+
+
+def right(task: Task) -> str:
+    """The letter of the right one."""
+    return next(letter for letter, key in letters(task).items() if key == _want(task))
+
+
+def wrong(task: Task) -> Sequence[str]:
+    """All others."""
+    return [letter for letter, key in letters(task).items() if key != _want(task)]
+
+
+def _want(task: Task) -> str:
+    want = str(task.answer)
+    if want not in task.field["options"]:
+        raise task.exercise.answer.place.error(
+            f"{task.exercise.answer.name} gives '{want}', and there is no such option;"
+            f" there are: {', '.join(task.field['options'])}"
+        )
+    return want
+
+
+def judge(task: Task, reply: str) -> Verdict:
+    """By the option, with its reason."""
+    text = clean(reply).strip("().[] ").casefold()
+    by_letter = letters(task)
+    by_text = {task.text(task.wording.options[key]).casefold().strip(". "): key for key in by_letter.values()}
+    chosen = by_letter.get(text) or by_text.get(text.strip(". "))
+    if chosen is None:
+        raise UnreadableError("no-option", text=quote(reply), options=", ".join(by_letter))
+    why = task.text(task.wording.why[chosen])
+    if chosen == _want(task):
+        return task.verdict(True, "right", why=why)
+    return task.verdict(False, "wrong", why=why)

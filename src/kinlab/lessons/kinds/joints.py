@@ -1,0 +1,86 @@
+"""Joint angles, judged by where they bring the tip: every pose that gets there is right."""
+
+import math
+from collections.abc import Sequence
+
+from kinlab.lessons.kinds.number import in_unit
+from kinlab.lessons.replies import numbers
+from kinlab.lessons.results import Reach
+from kinlab.lessons.task import Task, Verdict
+
+
+def shape(task: Task) -> str:
+    """The joints in their order, and how near is near enough."""
+    return task.say(
+        "joints.shape",
+        tip=_tip(task),
+        names=" ".join(task.field["names"]),
+        tolerance=f"{task.field['tolerance']:g} mm",
+    )
+
+
+def right(task: Task) -> str:
+    """One solution."""
+    return " ".join(f"{v:.9g}" for v in _reach(task).solution_deg)
+
+
+def wrong(task: Task) -> Sequence[str]:
+    """Each joint in turn moved until the tip is too far off."""
+    reach = _reach(task)
+    found = []
+    for i in range(len(reach.solution_deg)):
+        angles = list(reach.solution_deg)
+        for _ in range(90):
+            angles[i] += 1.0
+            if _off(reach, angles) > 1.5 * task.field["tolerance"]:
+                found.append(" ".join(f"{v:.9g}" for v in angles))
+                break
+    return found
+
+
+def _reach(task: Task) -> Reach:
+    reach = task.answer
+    if not isinstance(reach, Reach):
+        raise task.exercise.answer.place.error(
+            f"{task.exercise.answer.name} gives no Reach, which an exercise of the kind 'joints' needs"
+        )
+    return reach
+
+
+def _off(reach: Reach, angles: Sequence[float]) -> float:
+    return math.dist(reach.tip_mm(angles), reach.target_mm)
+
+
+def _tip(task: Task) -> str:
+    return task.say(f"joints.tip.{_reach(task).tip}")
+
+
+def judge(task: Task, reply: str) -> Verdict:
+    """By forward kinematics and the joints' limits."""
+    reach = _reach(task)
+    names = task.field["names"]
+    given = numbers(reply, len(names))
+    angles = [in_unit(each, "deg") for each in given]
+    allowed = float(task.field["tolerance"])
+    off = _off(reach, angles)
+    shown = f"{off:.1f}"
+    if off <= allowed:
+        for name, angle, low, high in zip(names, angles, reach.lower_deg, reach.upper_deg, strict=False):
+            if not low - 1e-3 <= angle <= high + 1e-3:
+                return task.verdict(
+                    False, "limit", name=name, angle=f"{angle:g}", low=f"{low:g}", high=f"{high:g}"
+                )
+        return task.verdict(True, "right", tip=_tip(task), distance=shown)
+    if not any(each.unit for each in given) and _off(reach, [math.degrees(a) for a in angles]) <= allowed:
+        return task.verdict(False, "unit", tip=_tip(task), distance=shown)
+    for number, slip in enumerate(task.slips):
+        expected = slip.solution_deg if isinstance(slip, Reach) else slip
+        if math.dist(reach.tip_mm(angles), reach.tip_mm(expected)) <= allowed:
+            return task.slip(number)
+    for i, name in enumerate(names):
+        if _off(reach, [*angles[:i], -angles[i], *angles[i + 1 :]]) <= allowed:
+            return task.verdict(False, "sign", name=name, tip=_tip(task), distance=shown)
+    place = ", ".join(f"{v:.1f}" for v in reach.tip_mm(angles))
+    if off <= 10 * allowed:
+        return task.verdict(False, "near", tip=_tip(task), distance=shown, place=place)
+    return task.verdict(False, "wrong", tip=_tip(task), distance=shown, place=place)

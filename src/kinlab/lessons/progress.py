@@ -1,0 +1,309 @@
+"""What a student has done: a list of events that only grows, in one file for each profile.
+
+Every change is written beside the file, forced to the disk and put in its place in one step, while a lock
+keeps a second window out: a kill at any moment leaves the file with the event or without it, never half.
+A file that is damaged is set aside, and what can be read of it goes on in a new one.
+"""
+
+import json
+import os
+import re
+import secrets
+import sys
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager, suppress
+from dataclasses import asdict, dataclass
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any
+
+from kinlab.errors import FileError, UsageError
+from kinlab.files import write_whole
+
+FORMAT = 1
+HOME = "KINLAB_HOME"
+PROFILE = "student"
+ENDING = ".jsonl"
+EVENTS = ("try", "hint", "shown", "reset")
+TRIES_BEFORE_SOLUTION = 3
+_NAME = re.compile(r"\w[\w.@-]{0,63}")
+
+
+@dataclass(frozen=True)
+class Event:
+    """Something that a student did.
+
+    Attributes:
+        at: when, UTC, ISO 8601.
+        event: "try", "hint", "shown" (the solution was looked at) or "reset".
+        lesson, version: which; the version decides the numbers.
+        exercise: "" for a whole lesson.
+        reply: as it was typed.
+        ok, code: the verdict of a try.
+    """
+
+    at: str
+    event: str
+    lesson: str
+    version: int
+    exercise: str = ""
+    reply: str = ""
+    ok: bool = False
+    code: str = ""
+
+    @classmethod
+    def now(cls, event: str, lesson: str, version: int, exercise: str = "", **more: Any) -> "Event":
+        """Of this moment."""
+        return cls(datetime.now(UTC).isoformat(timespec="seconds"), event, lesson, version, exercise, **more)
+
+    @classmethod
+    def read(cls, data: Any) -> "Event":
+        """From JSON.
+
+        Raises:
+            ValueError: it is none.
+        """
+        fields = cls.__dataclass_fields__
+        if not isinstance(data, dict) or data.get("event") not in EVENTS:
+            raise ValueError("no event")
+        kept = {name: data[name] for name in fields if name in data}
+        kinds: dict[str, type] = {"version": int, "ok": bool}
+        if not {"at", "lesson", "version"} <= kept.keys() or any(
+            type(value) is not kinds.get(name, str) for name, value in kept.items()
+        ):
+            raise ValueError("no event")
+        return cls(**kept)
+
+
+@dataclass(frozen=True)
+class Standing:
+    """How a student stands with one exercise.
+
+    Attributes:
+        tries: counted replies, up to the right one.
+        hints: how many were looked at.
+        solved: whether a right reply was given.
+        shown: whether the solution was looked at before.
+    """
+
+    tries: int = 0
+    hints: int = 0
+    solved: bool = False
+    shown: bool = False
+
+    @property
+    def status(self) -> str:
+        """ "solved", "shown" (with the solution's help, or not at all) or "open"."""
+        return "shown" if self.shown else "solved" if self.solved else "open"
+
+    @property
+    def done(self) -> bool:
+        """Whether the student may go on."""
+        return self.solved or self.shown
+
+    @property
+    def may_see_solution(self) -> bool:
+        """Whether enough was tried, or nothing is left to try."""
+        return self.done or self.tries >= TRIES_BEFORE_SOLUTION
+
+
+def standing(events: Iterable[Event], lesson: str, version: int, exercise: str) -> Standing:
+    """How a student stands with an exercise, by the events since its last reset."""
+    tries = hints = 0
+    solved = shown = False
+    for event in events:
+        if event.lesson != lesson or event.version != version or event.exercise not in ("", exercise):
+            continue
+        if event.event == "reset":
+            tries = hints = 0
+            solved = shown = False
+        elif event.exercise != exercise:
+            continue
+        elif event.event == "try" and not solved:
+            tries += 1
+            solved = event.ok
+        elif event.event == "hint":
+            hints += 1
+        elif event.event == "shown":
+            shown = shown or not solved
+    return Standing(tries, hints, solved, shown)
+
+
+class Progress:
+    """The events of one profile.
+
+    Attributes:
+        profile: its name.
+        seed: decides the student's numbers: the profile's name, or a random one for the profile without a name.
+        events: in their order.
+        path: of the file.
+        set_aside: where a damaged file was put; None where it was sound.
+    """
+
+    def __init__(self, profile: str = PROFILE, folder: Path | None = None) -> None:
+        """Read the profile's file, if there is one.
+
+        Args:
+            profile: its name.
+            folder: of all profiles; None: $KINLAB_HOME, else where the system keeps a user's data.
+
+        Raises:
+            UsageError: no name for a profile.
+            FileError: the file is there and cannot be read.
+        """
+        if not _NAME.fullmatch(profile):
+            raise UsageError(
+                f"'{profile[:70]}' is no name for a profile: letters, digits and . _ @ -, at most 64"
+            )
+        self.profile = profile
+        self.path = (folder or progress_folder()) / f"{profile.casefold()}{ENDING}"
+        self.seed = ""
+        self.events: list[Event] = []
+        self.set_aside: Path | None = None
+        if self.path.exists():
+            with locked(self.path):
+                self._read()
+
+    def standing(self, lesson: str, version: int, exercise: str) -> Standing:
+        """How the student stands with an exercise."""
+        return standing(self.events, lesson, version, exercise)
+
+    def begin(self) -> None:
+        """Settle the seed, in the file."""
+        if not self.seed:
+            self._add(None)
+
+    def add(self, event: Event) -> None:
+        """Keep an event; it is on the disk when this comes back.
+
+        Raises:
+            FileError: it cannot be written.
+        """
+        self._add(event)
+
+    def _add(self, event: Event | None) -> None:
+        try:
+            self.path.parent.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            raise FileError(f"{self.path.parent}: cannot be made: {error.strerror}") from None
+        with locked(self.path):
+            # Another window may have added to it.
+            self._read()
+            if event:
+                self.events.append(event)
+            self._write()
+
+    def _read(self) -> None:
+        """Take in the file, or as much of it as is sound."""
+        self.events = []
+        try:
+            raw = self.path.read_bytes()
+        except FileNotFoundError:
+            self.seed = self.seed or self._new_seed()
+            return
+        except OSError as error:
+            raise FileError(f"{self.path}: cannot be read: {error.strerror}") from None
+        head, events, sound = _parse(raw)
+        if head.get("format", FORMAT) != FORMAT:
+            raise FileError(f"{self.path}: was written by a newer KinLab (format {head['format']})")
+        self.events = events
+        self.seed = head.get("seed") or self.seed or self._new_seed()
+        if not sound:
+            self._put_aside()
+            self._write()
+
+    def _new_seed(self) -> str:
+        # Without a name of one's own the numbers must still differ from a neighbour's.
+        return secrets.token_hex(8) if self.profile == PROFILE else self.profile.casefold()
+
+    def _put_aside(self) -> None:
+        stamp = datetime.now(UTC).strftime("%Y%m%d-%H%M%S")
+        for count in range(1000):
+            goal = self.path.with_name(f"{self.path.name}.damaged-{stamp}{f'-{count}' if count else ''}")
+            if not goal.exists():
+                os.replace(self.path, goal)
+                self.set_aside = goal
+                return
+
+    def _write(self) -> None:
+        head = {"format": FORMAT, "profile": self.profile, "seed": self.seed}
+        lines = [json.dumps(each, ensure_ascii=False) for each in (head, *map(asdict, self.events))]
+        write_whole(self.path, "\n".join(lines) + "\n", lasting=True)
+        for draft in self.path.parent.glob(f".{self.path.name}.*"):
+            # Left behind by a program that was killed; under the lock nobody else is writing.
+            with suppress(OSError):
+                draft.unlink()
+
+
+class Unkept(Progress):
+    """Progress in memory alone, as a check, a preview or a lecturer's recomputation needs it."""
+
+    def __init__(self, seed: str, profile: str = "") -> None:
+        self.profile = profile
+        self.seed = seed
+        self.events = []
+        self.set_aside = None
+
+    def _add(self, event: Event | None) -> None:
+        if event:
+            self.events.append(event)
+
+
+def _parse(raw: bytes) -> tuple[dict[str, Any], list[Event], bool]:
+    """The head and the events of a file, and whether all of it is sound."""
+    head: dict[str, Any] = {}
+    events = []
+    sound = raw.endswith(b"\n")
+    for number, line in enumerate(raw.decode("utf-8", errors="replace").split("\n")):
+        if not line.strip():
+            continue
+        try:
+            data = json.loads(line)
+            if number == 0 and isinstance(data, dict) and isinstance(data.get("seed"), str):
+                head = data
+            else:
+                events.append(Event.read(data))
+        except (ValueError, RecursionError):
+            sound = False
+    if "\ufffd" in raw.decode("utf-8", errors="replace") and b"\xef\xbf\xbd" not in raw:
+        sound = False
+    return head, events, sound and bool(head)
+
+
+def progress_folder() -> Path:
+    """Where profiles are kept: $KINLAB_HOME, else the place that the system has for a user's data."""
+    home = os.environ.get(HOME)
+    if home:
+        return Path(home) / "progress"
+    from platformdirs import user_data_path
+
+    return user_data_path("kinlab", appauthor=False) / "progress"
+
+
+def profiles(folder: Path | None = None) -> list[str]:
+    """The profiles that there are."""
+    return sorted(path.name.removesuffix(ENDING) for path in (folder or progress_folder()).glob(f"*{ENDING}"))
+
+
+@contextmanager
+def locked(path: Path) -> Iterator[None]:
+    """Keep other windows out of a file; the system lets go when a program dies.
+
+    Raises:
+        FileError: the lock's file cannot be made.
+    """
+    try:
+        file = path.with_name(f"{path.name}.lock").open("a+b")
+    except OSError as error:
+        raise FileError(f"{path.parent}: cannot be written: {error.strerror}") from None
+    with file:
+        if sys.platform == "win32":
+            import msvcrt
+
+            file.seek(0)
+            msvcrt.locking(file.fileno(), msvcrt.LK_LOCK, 1)
+        else:
+            import fcntl
+
+            fcntl.flock(file, fcntl.LOCK_EX)
+        yield

@@ -1,0 +1,166 @@
+"""A lecturer's recomputation: every reply of every student judged again, by the student's own numbers.
+
+The file says which replies were right; that is not believed. Who gives wrong replies and writes that they
+were right is found, and so is who hands in a neighbour's replies: they are answers to other numbers, unless
+the seed was taken too, and then two files have the same seed.
+"""
+
+from collections import Counter
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, replace
+from typing import Any
+
+from kinlab.errors import KinlabError
+from kinlab.lessons.course import Course
+from kinlab.lessons.export import Handed, statuses
+from kinlab.lessons.kinds import judge
+from kinlab.lessons.progress import PROFILE, Event, standing
+from kinlab.lessons.task import Task
+
+
+@dataclass(frozen=True)
+class LessonResult:
+    """How a student did in a lesson: exercises solved, solved with the solution's help, and all; replies."""
+
+    solved: int
+    shown: int
+    exercises: int
+    tries: int
+
+
+@dataclass(frozen=True)
+class Result:
+    """What came of one student's work.
+
+    Attributes:
+        file, profile, seed: whose.
+        lessons: by id, those that were begun.
+        forged: what the file claims and the recomputation denies, a sentence each.
+        notes: what could not be recomputed.
+    """
+
+    file: str
+    profile: str
+    seed: str
+    lessons: dict[str, LessonResult]
+    forged: tuple[str, ...]
+    notes: tuple[str, ...]
+
+    @property
+    def solved(self) -> int:
+        """Exercises solved without the solution."""
+        return sum(lesson.solved for lesson in self.lessons.values())
+
+    def share(self, course: Course) -> float:
+        """Of all exercises of the course, those solved without the solution."""
+        every = sum(len(lesson.exercises) for lesson in course.lessons.values())
+        return self.solved / every if every else 0.0
+
+    def to_json(self, course: Course) -> dict[str, Any]:
+        """For programs."""
+        return {
+            "file": self.file,
+            "profile": self.profile,
+            "seed": self.seed,
+            "ok": not self.forged,
+            "solved": self.solved,
+            "share": self.share(course),
+            "lessons": {
+                name: {"solved": r.solved, "shown": r.shown, "exercises": r.exercises, "tries": r.tries}
+                for name, r in self.lessons.items()
+            },
+            "forged": list(self.forged),
+            "notes": list(self.notes),
+        }
+
+
+def verify(
+    handed: Iterable[Handed], course: Course, tell: Callable[[str], None] = lambda profile: None
+) -> list[Result]:
+    """Recompute what students handed in.
+
+    Args:
+        handed: their files.
+        course: whose lessons they took.
+        tell: is told whose turn it is.
+    """
+    every = list(handed)
+    seeds = Counter(each.seed for each in every)
+    results = []
+    for each in every:
+        tell(each.profile)
+        results.append(
+            _recomputed(each, course, [o for o in every if o is not each] if seeds[each.seed] > 1 else [])
+        )
+    return results
+
+
+def _recomputed(handed: Handed, course: Course, others: list[Handed]) -> Result:
+    forged: list[str] = []
+    notes: list[str] = list(handed.problems)
+    own = handed.seed == handed.profile.casefold() or handed.profile == PROFILE
+    if not own:
+        forged.append(f"the seed '{handed.seed:.40}' is not that of the profile '{handed.profile:.40}'")
+    forged += [
+        f"has the same seed as {other.profile:.40} in {other.file}"
+        for other in others
+        if other.seed == handed.seed
+    ]
+    tasks: dict[tuple[str, str], Task] = {}
+    events = []
+    for event in handed.events:
+        if event.event != "try":
+            events.append(event)
+            continue
+        found = _judged_again(event, handed.seed, course, tasks)
+        if isinstance(found, str):
+            notes.append(found)
+            continue
+        events.append(replace(event, ok=found))
+        if event.ok and not found:
+            forged.append(
+                f"{event.lesson} {event.exercise}: the reply '{event.reply:.40}' is said to be right and is wrong"
+            )
+        elif found and not event.ok:
+            notes.append(f"{event.lesson} {event.exercise}: the reply '{event.reply:.40}' is right after all")
+    true = statuses(handed, course, events)
+    for key, status in handed.claimed.items():
+        if status == "solved" and true.get(key) != "solved" and key[0] in course.lessons:
+            forged.append(f"{key[0]} {key[1]}: said to be solved, and is {true.get(key, 'open')}")
+    return Result(
+        handed.file, handed.profile, handed.seed, _lessons(course, events), _once(forged), _once(notes)
+    )
+
+
+def _once(sentences: list[str]) -> tuple[str, ...]:
+    return tuple(dict.fromkeys(sentences))
+
+
+def _judged_again(event: Event, seed: str, course: Course, tasks: dict[tuple[str, str], Task]) -> bool | str:
+    """Whether a reply is right; in words why that cannot be said."""
+    lesson = course.lessons.get(event.lesson)
+    if lesson is None:
+        return f"there is no lesson {event.lesson:.40}"
+    if event.version != lesson.version:
+        return f"{lesson.id}: was taken in version {event.version}, and the course has {lesson.version}"
+    key = event.lesson, event.exercise
+    try:
+        if key not in tasks:
+            tasks[key] = Task.of(lesson, event.exercise, seed)
+        return judge(tasks[key], event.reply).ok
+    except KinlabError as error:
+        return f"{lesson.id} {event.exercise:.40}: {error}"
+
+
+def _lessons(course: Course, events: list[Event]) -> dict[str, LessonResult]:
+    found = {}
+    for lesson in course.lessons.values():
+        each = [standing(events, lesson.id, lesson.version, exercise.id) for exercise in lesson.exercises]
+        if any(now.tries or now.done for now in each):
+            found[lesson.id] = LessonResult(
+                sum(now.status == "solved" for now in each),
+                sum(now.status == "shown" for now in each),
+                len(each),
+                sum(now.tries for now in each),
+            )
+    return found

@@ -1,0 +1,275 @@
+"""`kinlab learn`: the list, the lesson at the plain terminal, and a lecturer's commands."""
+
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from io import StringIO
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from kinlab.language import words_of
+from kinlab.lessons import Lesson, Progress, Sitting, load_course
+from kinlab.lessons.kinds import kind_of
+
+LEG = "leg-geometry"
+
+
+@pytest.fixture(autouse=True)
+def home(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.setenv("KINLAB_HOME", str(tmp_path / "home"))
+    for name in ("KINLAB_LANG", "LC_ALL", "LC_MESSAGES", "LANG"):
+        monkeypatch.delenv(name, raising=False)
+    return tmp_path / "home"
+
+
+@pytest.fixture
+def types(kinlab: Callable[..., Any], monkeypatch: pytest.MonkeyPatch) -> Callable[..., Any]:
+    """`types("a", "12", lesson="leg-geometry")`: a student who types these lines into the lesson."""
+
+    def run(*lines: str, lesson: str = LEG, options: tuple[str, ...] = ()) -> Any:
+        monkeypatch.setattr(sys, "stdin", StringIO("".join(f"{line}\n" for line in lines)))
+        return kinlab("learn", lesson, "--profile", "ani", *options)
+
+    return run
+
+
+def right_lines(lesson: Lesson, language: str = "en") -> list[str]:
+    """What a student types who knows everything."""
+    sitting = Sitting.alone(lesson, "ani", language)
+    return [line for task in sitting.tasks.values() for line in kind_of(task).right(task).split("\n")]
+
+
+@pytest.mark.parametrize("language", ["en", "id"])
+def test_a_scripted_student_goes_through_the_whole_course(types: Any, kinlab: Any, language: str) -> None:
+    for lesson in load_course().lessons.values():
+        run = types(*right_lines(lesson, language), lesson=lesson.id, options=("--lang", language))
+        assert run.code == 0
+        count = len(lesson.exercises)
+        words = words_of("kinlab.lessons")
+        end = words.say(language, "talk.finished", solved=count, count=count, shown=0)
+        assert end in " ".join(run.out.split()), run.out[-2000:]
+    listed = kinlab("learn", "list", "--profile", "ani", "--json").json
+    assert listed["next"] is None
+    assert {status for each in listed["lessons"] for status in each["exercises"].values()} == {"solved"}
+    assert words.say(language, "talk.course-finished") in run.out
+
+
+def test_a_student_errs_and_is_helped(types: Any) -> None:
+    sitting = Sitting.alone(load_course().lesson(LEG), "ani", "en")
+    first = next(iter(sitting.tasks.values()))
+    wrong = kind_of(first).wrong(first)[0]
+    run = types(
+        wrong, "hint", "what coxa", "what nonsense", "question", "", wrong, "solution", wrong, "solution"
+    )
+    assert "Not yet." in run.out
+    assert "'hint' gives a hint." in run.out
+    assert f"Hint 1 of {len(first.hints)}: " in run.out
+    assert "coxa: the first link of a leg" in run.out
+    assert "'nonsense' is not in the glossary" in run.out
+    assert "There is no answer yet." in run.out
+    assert "The solution is shown after 3 tries; so far there were 2." in run.out
+    assert "The solution: " in run.out
+    assert "What you have done is kept. Go on with: kinlab learn leg-geometry" in run.out
+    assert Progress("ani").standing(LEG, sitting.lesson.version, first.exercise.id).status == "shown"
+    again = types("quit")
+    assert "You have looked at the solution of this one" in again.out
+
+
+def test_skipped_exercises_stay_open_and_are_named(types: Any) -> None:
+    count = len(load_course().lesson(LEG).exercises)
+    run = types(*["skip"] * count)
+    assert "Still open: " in run.out
+    assert f"0 of {count} exercise(s) solved" in run.out
+
+
+def test_the_lesson_can_be_heard(types: Any) -> None:
+    run = types("quit", options=("--no-figures",))
+    assert "The leg" in run.out
+    assert not any(0x2800 <= ord(c) < 0x2900 for c in run.out)
+    assert "\x1b" not in run.out
+    assert max(len(line) for line in run.out.splitlines()) <= 88
+    ascii_only = types("quit", options=("--ascii",)).out
+    assert not any(0x2800 <= ord(c) < 0x2900 for c in ascii_only)
+
+
+def test_control_characters_are_not_obeyed(types: Any) -> None:
+    run = types("\x1b]0;title\x07", "\x1b[2J12\x00", "x" * 5000, "quit")
+    assert "\x1b" not in run.out
+    assert "5000 characters" in run.out
+
+
+def test_the_language_comes_from_the_environment(kinlab: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    assert "The three-joint leg" in kinlab("learn").out
+    monkeypatch.setenv("LANG", "id_ID.UTF-8")
+    assert "Kaki tiga sendi" in kinlab("learn").out
+    assert "The three-joint leg" in kinlab("learn", "--lang", "en").out
+
+
+def test_listing_needs_no_numpy(home: Path) -> None:
+    code = (
+        "import sys\n"
+        "from kinlab.cli import main\n"
+        "try:\n    main(['learn'])\nexcept SystemExit as end:\n    assert not end.code\n"
+        "heavy = {'numpy', 'textual', 'rich', 'pydantic', 'prompt_toolkit'} & set(sys.modules)\n"
+        "assert not heavy, heavy\n"
+    )
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+    assert run.returncode == 0, run.stderr
+
+
+def test_one_answer_is_checked(kinlab: Any) -> None:
+    sitting = Sitting.alone(load_course().lesson(LEG), "ani", "en")
+    name = next(name for name, task in sitting.tasks.items() if task.exercise.kind == "vector")
+    right = kind_of(sitting.tasks[name]).right(sitting.tasks[name])
+    wrong = kinlab("learn", "check", LEG, name, "-1", "2", "-3,5", "-p", "ani", "--json")
+    assert wrong.code == 1
+    assert (wrong.json["ok"], wrong.json["tries"], wrong.json["status"]) == (False, 1, "open")
+    unread = kinlab("learn", "check", LEG, name, "much", "-p", "ani", "--json")
+    assert (unread.code, unread.json["counts"], unread.json["tries"]) == (1, False, 1)
+    passed = kinlab("learn", "check", LEG, name, *right.split(), "-p", "ani", "--lang", "id")
+    assert passed.code == 0
+    assert passed.out.startswith("Benar: ")
+    assert "did you mean" in kinlab("learn", "check", LEG, f"{name}x", "1").err
+
+
+def test_hints_and_solutions_come_one_by_one(kinlab: Any) -> None:
+    count = len(next(iter(Sitting.alone(load_course().lesson(LEG), "ani", "en").tasks.values())).hints)
+    name = load_course().lesson(LEG).exercises[0].id
+    for number in range(1, count + 1):
+        assert f"Hint {number} of {count}" in kinlab("learn", "hint", LEG, name).out
+    assert len(kinlab("learn", "hint", LEG, name, "--json").json["hints"]) == count
+    refused = kinlab("learn", "solution", LEG, name)
+    assert refused.code == 1
+    assert "after 3 tries" in refused.err
+
+
+def test_reset_asks_first(kinlab: Any, types: Any) -> None:
+    types(*right_lines(load_course().lesson(LEG))[:1], "quit")
+    refused = kinlab("learn", "reset", LEG, "-p", "ani")
+    assert refused.code == 2
+    assert "--yes" in refused.err
+    assert kinlab("learn", "reset", LEG, "-p", "ani", "--yes").code == 0
+    assert (
+        "solved"
+        not in kinlab("learn", "list", "-p", "ani", "--json").json["lessons"][0]["exercises"].values()
+    )
+
+
+@pytest.mark.parametrize("csv", [False, True])
+def test_work_is_exported_and_verified(types: Any, kinlab: Any, tmp_path: Path, csv: bool) -> None:
+    types(*right_lines(load_course().lesson(LEG)))
+    file = tmp_path / "ani.out"
+    assert kinlab("learn", "export", "-p", "ani", *(["--csv"] if csv else []), "-o", file).code == 0
+    honest = kinlab("learn", "verify", file, "--json")
+    assert honest.code == 0
+    count = len(load_course().lesson(LEG).exercises)
+    assert honest.json["students"][0]["solved"] == count
+    table = kinlab("learn", "verify", file)
+    assert f"{LEG}" in table.out
+    if not csv:
+        file.write_text(file.read_text().replace('"reply": "', '"reply": "9'))
+        found = kinlab("learn", "verify", file)
+        assert found.code == 1
+        assert "is said to be right and is wrong" in found.out
+
+
+def test_exporting_nothing_says_so(kinlab: Any) -> None:
+    run = kinlab("learn", "export", "-p", "nobody")
+    assert run.code == 2
+    assert "has not begun any lesson" in run.err
+
+
+def test_a_damaged_file_is_named_when_it_is_set_aside(types: Any, kinlab: Any, home: Path) -> None:
+    types("quit")
+    path = home / "progress" / "ani.jsonl"
+    path.write_text(path.read_text() + "{ half")
+    run = kinlab("learn", "list", "-p", "ani")
+    assert run.code == 0
+    assert "was damaged. It is set aside as ani.jsonl.damaged-" in run.err
+    assert "damaged" not in kinlab("learn", "list", "-p", "ani").err
+
+
+def test_a_broken_lesson_is_named_and_the_others_work(kinlab: Any, tmp_path: Path) -> None:
+    folder = tmp_path / "lessons"
+    assert kinlab("learn", "new", "mine", "--lessons", folder).code == 0
+    page = folder / "mine" / "en.md"
+    page.write_text(page.read_text().replace("version = 1", "version = one"))
+    run = kinlab("learn", "--lessons", folder)
+    assert run.code == 0
+    assert LEG in run.out
+    assert "mine/en.md:4: no valid TOML" in run.out
+    assert kinlab("learn", "mine", "--lessons", folder).code == 2
+    linted = kinlab("learn", "lint", "--lessons", folder, "--json")
+    assert linted.code == 1
+    assert {"file": "mine/en.md", "line": 4}.items() <= linted.json["findings"][0].items()
+
+
+def test_a_new_lesson_passes_its_lint(kinlab: Any, tmp_path: Path) -> None:
+    kinlab("learn", "new", "mine", "--lessons", tmp_path)
+    run = kinlab("learn", "lint", "mine", "--lessons", tmp_path)
+    assert (run.code, run.out) == (0, "1 lesson(s), 1 exercise(s): no finding(s)\n")
+
+
+def test_a_lesson_is_one_document(kinlab: Any) -> None:
+    found = kinlab("learn", LEG, "-p", "ani", "--json").json
+    assert found["seed"] == "ani"
+    assert {part["part"] for part in found["parts"]} == {"text", "figure", "exercise"}
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["leg-geometri"], "did you mean leg-geometry"),
+        ([LEG, "--lang", "fr"], "no language is named 'fr'"),
+        ([LEG, "--profile", "../x"], "no name for a profile"),
+        ([LEG, "--lessons", "/nowhere"], "/nowhere: cannot be read"),
+        ([LEG, "--json", "--watch", "x"], "give one of the two"),
+        (["export", "--csv", "--json"], "give one"),
+        (["verify", "/nowhere.json"], "/nowhere.json: cannot be read"),
+        (["new", "../x"], "no name for a lesson"),
+    ],
+)
+def test_wrong_usage_is_said(kinlab: Any, arguments: list[str], message: str) -> None:
+    run = kinlab("learn", *arguments)
+    assert run.code == 2
+    assert message in run.err
+
+
+def test_a_watched_file_is_checked_when_it_is_saved(tmp_path: Path) -> None:
+    sheet = tmp_path / "answers.txt"
+    command = [
+        sys.executable,
+        "-u",
+        "-m",
+        "kinlab",
+        "learn",
+        LEG,
+        "-p",
+        "ani",
+        "--lang",
+        "en",
+        "--watch",
+        str(sheet),
+    ]
+    sitting = Sitting.alone(load_course().lesson(LEG), "ani", "en")
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
+        assert process.stdout
+        assert "is new" in process.stdout.readline()
+        assert "Watching" in process.stdout.readline()
+        blank = sheet.read_text()
+        assert all(f"\n{name} =" in blank for name in sitting.tasks)
+        name, task = next(iter(sitting.tasks.items()))
+        sheet.write_text(blank.replace(f"{name} =", f"{name} = {kind_of(task).wrong(task)[0]}"))
+        assert process.stdout.readline().startswith(f"{name}: ")
+        filled = blank
+        for name, task in sitting.tasks.items():
+            filled = filled.replace(f"\n{name} =", f"\n{name} = {kind_of(task).right(task)}")
+        time.sleep(0.05)
+        sheet.write_text(filled)
+        rest = process.stdout.read()
+        assert process.wait(30) == 0
+    count = len(sitting.tasks)
+    assert f"{count} of {count} exercise(s) solved by yourself" in " ".join(rest.split())
