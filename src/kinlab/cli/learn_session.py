@@ -7,12 +7,13 @@ from enum import Enum, auto
 
 import typer
 
-from kinlab.cli.learn_prose import Line, prose, width, wrapped
+from kinlab.cli.learn_prose import prose, width
 from kinlab.cli.printing import print_lines
 from kinlab.errors import KinlabError
 from kinlab.lessons.course import Course
 from kinlab.lessons.kinds.state import Workbench
 from kinlab.lessons.progress import TRIES_BEFORE_SOLUTION
+from kinlab.lessons.prose import Line, wrapped
 from kinlab.lessons.replies import LONGEST_SCRIPT, UnreadableError, clean
 from kinlab.lessons.sitting import WIDTH, Sitting, Text
 from kinlab.lessons.task import Task

@@ -4,12 +4,13 @@ from typing import Any
 
 import typer
 
-from kinlab.cli.learn_prose import width, wrapped
+from kinlab.cli.learn_prose import width
 from kinlab.cli.printing import print_lines
 from kinlab.language import words_of
 from kinlab.lessons.course import Course
 from kinlab.lessons.lesson import Lesson
 from kinlab.lessons.progress import Progress, Standing
+from kinlab.lessons.prose import wrapped
 
 
 def list_json(course: Course, progress: Progress, language: str) -> dict[str, Any]:

@@ -50,11 +50,13 @@ def judge(task: Task, reply: str) -> Verdict:
             False, "short", count=len(got), name=field_of(want, len(got)), why=_why(task, want, len(got))
         )
     if got.startswith(want):
-        return task.verdict(False, "long", count=len(want), more=len(got) - len(want))
+        more = range(len(want), len(got))
+        return task.verdict(False, "long", faults=more, count=len(want), more=len(more))
     at = next(i for i, (a, b) in enumerate(zip(got, want, strict=False)) if a != b)
     return task.verdict(
         False,
         "byte",
+        faults=[at],
         number=at + 1,
         byte=f"{got[at]:02X}",
         name=field_of(want, at),
