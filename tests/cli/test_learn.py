@@ -192,7 +192,13 @@ def test_a_damaged_file_is_named_when_it_is_set_aside(types: Any, kinlab: Any, h
     assert "damaged" not in kinlab("learn", "list", "-p", "ani").err
 
 
-def test_a_broken_lesson_is_named_and_the_others_work(kinlab: Any, tmp_path: Path) -> None:
+def test_a_broken_lesson_is_named_and_the_others_work(
+    kinlab: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("kinlab.lessons.lint.SEEDS", 20)
+    monkeypatch.setattr("kinlab.lessons.lint.JUDGED", 1)
+    monkeypatch.setattr("kinlab.lessons.lint.JUDGED_STATES", 1)
+    monkeypatch.setattr("kinlab.lessons.lint.DRAWN_FIGURES", 1)
     folder = tmp_path / "lessons"
     assert kinlab("learn", "new", "mine", "--lessons", folder).code == 0
     page = folder / "mine" / "en.md"

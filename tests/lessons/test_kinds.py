@@ -100,6 +100,36 @@ def test_what_cannot_be_read_is_no_try_in_any_kind(samples: Course, reply: str) 
             assert verdict.message
 
 
+def test_noise_of_every_kind_ends_in_a_verdict(samples: Course) -> None:
+    pieces = [
+        "FF",
+        "a",
+        "1",
+        ",5",
+        "-",
+        "mm",
+        "R1",
+        "+",
+        ";",
+        "\n",
+        "ping 1",
+        "write 1",
+        "\x1b[",
+        "½",
+        "٣",
+        "[",
+        "=",
+    ]
+    lesson = samples.lesson("every-kind")
+    for exercise in lesson.exercises:
+        task = Task.of(lesson, exercise.id, "ani")
+        for i in range(40 if exercise.kind == "state" else 200):
+            reply = " ".join(pieces[(i * 31 + j * 17 + i * j) % len(pieces)] for j in range(i % 12))
+            verdict = judge(task, reply)
+            assert verdict.message
+            assert verdict.counts or not verdict.ok
+
+
 def test_every_pose_that_gets_there_passes_unless_a_joint_cannot_turn_so_far(samples: Course) -> None:
     verdict = said(samples, "joints", "7.94347 -99.30793 102.04416")
     assert verdict.code == "limit"

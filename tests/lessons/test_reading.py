@@ -151,7 +151,7 @@ FINDINGS = [
     ((("order = 1000", "order = 1"),), (), "stands later in the course"),
     ((('prerequisites = ["leg-geometry"]', ""),), (), "uses the term 'femur'"),
     ((('robot = "xl430-hexapod"', 'robot = "xl430"'),), (), "no robot is named 'xl430'; did you mean xl430-hexapod"),
-    ((("minutes = 10\n", 'minutes = 10\nexplains = ["gait"]\n'),), (), "explains 'gait', which"),
+    ((("minutes = 10\n", 'minutes = 10\nexplains = ["gayt"]\n'),), (), "explains 'gayt', which"),
     ((("{beta} degrees", "{bta} degrees"),), (), "no value is named 'bta'"),
     ((('solution = "h = {answer:.1f} mm"', 'solution = "h = {answer:.9999f} mm"'),), (), "no format"),
     ((("Say what the student", "There are 18 servos: say what the student"),), (), "the text: other numbers"),

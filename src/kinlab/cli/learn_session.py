@@ -11,10 +11,9 @@ from kinlab.cli.learn_prose import prose, width
 from kinlab.cli.printing import print_lines
 from kinlab.errors import KinlabError
 from kinlab.lessons.course import Course
-from kinlab.lessons.kinds.state import Workbench
 from kinlab.lessons.progress import TRIES_BEFORE_SOLUTION
 from kinlab.lessons.prose import Line, wrapped
-from kinlab.lessons.replies import LONGEST_SCRIPT, UnreadableError, clean
+from kinlab.lessons.replies import LONGEST_SCRIPT, UnreadableError, clean, quote
 from kinlab.lessons.sitting import WIDTH, Sitting, Text
 from kinlab.lessons.task import Task
 from kinlab.names import suggestion
@@ -132,9 +131,10 @@ class Session:
 
     def _ask(self, task: Task, answered: Callable[[str], bool]) -> After:
         """Read lines until one of them is the answer, or the student goes on without."""
+        prompt = "talk.prompt-state" if task.exercise.kind == "state" else "talk.prompt"
         while True:
             try:
-                typed = input(self.sitting.say("talk.prompt"))
+                typed = input(self.sitting.say(prompt))
             except EOFError:
                 typer.echo()
                 return After.QUIT
@@ -189,13 +189,13 @@ class Session:
     def _talk(self, task: Task) -> Callable[[str], bool]:
         """Lines go to an emulated chain; the state is looked at after each."""
         self._say("how-state")
-        bench = Workbench(task)
+        bench = self.sitting.workbench(task.exercise.id)
 
         def answered(typed: str) -> bool:
             nonlocal bench
             word = WORDS.get(typed.strip().casefold())
             if word == "again":
-                bench = Workbench(task)
+                bench = self.sitting.workbench(task.exercise.id)
                 self._say("again")
                 return False
             if not typed.strip():
@@ -206,12 +206,19 @@ class Session:
                 except UnreadableError as error:
                     self._markdown(task.say(f"unreadable.{error.code}", **error.values), "odd")
                 except KinlabError as error:
-                    print_lines([[("odd", str(error))]])
-                if not bench.reached():
+                    self._complain(str(error))
+                if not self.sitting.reached(task.exercise.id, bench.lines):
                     return False
             return self._judged(task, "\n".join(bench.lines))
 
         return answered
+
+    def _complain(self, text: str) -> None:
+        """What the bus or the sandbox says to a line; a caret below it stays where it points."""
+        if "\n" in text:
+            print_lines([[("odd", line)] for line in text.split("\n")])
+        else:
+            self._markdown(text, "odd")
 
     def _offer(self, task: Task) -> None:
         now = self.sitting.standing(task.exercise.id)
@@ -248,8 +255,8 @@ class Session:
         if term is None:
             self._say(
                 "no-term",
-                text=name[:40],
-                near=suggestion(name[:40], [t.name for t in self.course.glossary.values()]),
+                text=quote(name),
+                near=suggestion(quote(name), [t.name for t in self.course.glossary.values()]),
             )
             return
         meaning = term.meanings.get(self.sitting.language, term.meanings["en"])

@@ -120,7 +120,10 @@ def lesson_json(sitting: Any, *, ascii_only: bool) -> dict[str, Any]:
 
 def show_class(course: Course, results: list[Any]) -> None:
     """A row for each student, then one for each lesson; what is forged below."""
+    from rich.text import Text
+
     from kinlab.cli.show import show, table
+    from kinlab.lessons.replies import quote
     from kinlab.lessons.verify import Result
 
     students: list[Result] = results
@@ -130,7 +133,7 @@ def show_class(course: Course, results: list[Any]) -> None:
         remark = f"{len(result.forged)} forged" if result.forged else ""
         notes = f"{len(result.notes)} note(s)" if result.notes else ""
         people.add_row(
-            result.profile,
+            Text(quote(result.profile)),
             str(result.solved),
             f"{100 * result.share(course):.0f}",
             str(sum(lesson.shown for lesson in result.lessons.values())),
@@ -156,4 +159,4 @@ def show_class(course: Course, results: list[Any]) -> None:
     for result in students:
         for kind, sentences in (("forged", result.forged), ("note", result.notes)):
             for sentence in sentences:
-                typer.echo(f"{result.profile} ({result.file}), {kind}: {sentence}")
+                typer.echo(f"{quote(result.profile)} ({result.file}), {kind}: {sentence}")

@@ -18,7 +18,7 @@ from kinlab.lessons.lesson import Lesson, LessonError, Part, Place, Prose
 
 _FENCE = re.compile(r"^(`{3,}|~{3,})\s*([a-z]*)")
 _LINE_OF_TOML = re.compile(r"\(at line (\d+), column \d+\)")
-_LARGEST = 1_000_000
+_LARGEST = 200_000
 # What a terminal would obey, and what turns the direction of text around.
 _ODD = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069]")
 

@@ -85,10 +85,10 @@ def clean(reply: str, longest: int = LONGEST) -> str:
     return text
 
 
-def quote(text: str) -> str:
+def quote(text: str, longest: int = 40) -> str:
     """A piece of a reply to show in a message: short, on one line, with nothing that a terminal obeys."""
     shown = " ".join("".join(c if unicodedata.category(c)[0] != "C" else " " for c in text).split())
-    return shown if len(shown) <= 40 else f"{shown[:39]}…"
+    return shown if len(shown) <= longest else f"{shown[: longest - 1]}…"
 
 
 def numbers(reply: str, count: int) -> list[Quantity]:

@@ -8,7 +8,9 @@ sitting.hint("foot")                       # the next one
 sitting.solution("foot")                   # None until three tries were made
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from kinlab.errors import UsageError
 from kinlab.language import words_of
@@ -20,6 +22,9 @@ from kinlab.lessons.parameters import lesson_values
 from kinlab.lessons.progress import Event, Progress, Standing, Unkept
 from kinlab.lessons.replies import LONGEST_SCRIPT
 from kinlab.lessons.task import Task, Verdict
+
+if TYPE_CHECKING:
+    from kinlab.lessons.kinds.state import Workbench
 
 WIDTH = 48
 
@@ -166,6 +171,21 @@ class Sitting:
         if verdict.counts:
             self._keep("try", task, reply=reply[:LONGEST_SCRIPT], ok=verdict.ok, code=verdict.code)
         return verdict
+
+    def workbench(self, name: str) -> "Workbench":
+        """The emulated chain of an exercise of the kind "state", set up anew: it executes lines.
+
+        Raises:
+            UsageError: no such exercise.
+            LessonError: it is of another kind.
+        """
+        from kinlab.lessons.kinds.state import Workbench
+
+        return Workbench(self._task(name))
+
+    def reached(self, name: str, lines: Sequence[str]) -> bool:
+        """Whether lines on a fresh workbench lead to the goal, moments later; nothing is kept of it."""
+        return judge(self._task(name), "\n".join(lines)).ok
 
     def hints(self, name: str) -> list[Hint]:
         """Those that were looked at, in their order."""

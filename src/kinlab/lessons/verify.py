@@ -15,6 +15,7 @@ from kinlab.lessons.course import Course
 from kinlab.lessons.export import Handed, statuses
 from kinlab.lessons.kinds import judge
 from kinlab.lessons.progress import PROFILE, Event, standing
+from kinlab.lessons.replies import quote
 from kinlab.lessons.task import Task
 
 
@@ -100,9 +101,9 @@ def _recomputed(handed: Handed, course: Course, others: list[Handed]) -> Result:
     notes: list[str] = list(handed.problems)
     own = handed.seed == handed.profile.casefold() or handed.profile == PROFILE
     if not own:
-        forged.append(f"the seed '{handed.seed:.40}' is not that of the profile '{handed.profile:.40}'")
+        forged.append(f"the seed '{quote(handed.seed)}' is not that of the profile '{quote(handed.profile)}'")
     forged += [
-        f"has the same seed as {other.profile:.40} in {other.file}"
+        f"has the same seed as {quote(other.profile)} in {other.file}"
         for other in others
         if other.seed == handed.seed
     ]
@@ -117,16 +118,15 @@ def _recomputed(handed: Handed, course: Course, others: list[Handed]) -> Result:
             notes.append(found)
             continue
         events.append(replace(event, ok=found))
+        what = f"{quote(event.lesson)} {quote(event.exercise)}: the reply '{quote(event.reply)}'"
         if event.ok and not found:
-            forged.append(
-                f"{event.lesson} {event.exercise}: the reply '{event.reply:.40}' is said to be right and is wrong"
-            )
+            forged.append(f"{what} is said to be right and is wrong")
         elif found and not event.ok:
-            notes.append(f"{event.lesson} {event.exercise}: the reply '{event.reply:.40}' is right after all")
+            notes.append(f"{what} is right after all")
     true = statuses(handed, course, events)
     for key, status in handed.claimed.items():
         if status == "solved" and true.get(key) != "solved" and key[0] in course.lessons:
-            forged.append(f"{key[0]} {key[1]}: said to be solved, and is {true.get(key, 'open')}")
+            forged.append(f"{key[0]} {quote(key[1])}: said to be solved, and is {true.get(key, 'open')}")
     return Result(
         handed.file, handed.profile, handed.seed, _lessons(course, events), _once(forged), _once(notes)
     )
@@ -140,7 +140,7 @@ def _judged_again(event: Event, seed: str, course: Course, tasks: dict[tuple[str
     """Whether a reply is right; in words why that cannot be said."""
     lesson = course.lessons.get(event.lesson)
     if lesson is None:
-        return f"there is no lesson {event.lesson:.40}"
+        return f"there is no lesson {quote(event.lesson)}"
     if event.version != lesson.version:
         return f"{lesson.id}: was taken in version {event.version}, and the course has {lesson.version}"
     key = event.lesson, event.exercise
@@ -149,7 +149,7 @@ def _judged_again(event: Event, seed: str, course: Course, tasks: dict[tuple[str
             tasks[key] = Task.of(lesson, event.exercise, seed)
         return judge(tasks[key], event.reply).ok
     except KinlabError as error:
-        return f"{lesson.id} {event.exercise:.40}: {error}"
+        return f"{lesson.id} {quote(event.exercise)}: {quote(str(error), 200)}"
 
 
 def _lessons(course: Course, events: list[Event]) -> dict[str, LessonResult]:

@@ -33,14 +33,6 @@ def along(robot: str, back: float) -> float:
     return float(margins(_feet(robot, back), np.zeros(2)).longitudinal)
 
 
-def nearest_edge(robot: str, back: float) -> str:
-    """Which edge that is: "front", "rear" or "side"."""
-    corners = _feet(robot, back)
-    edges = {"front": (0, 1), "rear": (1, 2), "side": (2, 0)}
-    found = {name: -float(margins(corners[list(ends)], np.zeros(2)).static) for name, ends in edges.items()}
-    return min(found, key=lambda name: found[name])
-
-
 def holding(robot: str) -> str:
     """Which three legs hold the robot by themselves: those of one "side", those in "front", or a "tripod"."""
     one = load_robot(robot)
@@ -85,16 +77,6 @@ def energy(distance: float, height: float) -> float:
 def energy_whole(distance: float, height: float) -> float:
     """As `energy`, the height over the ground and not the rise."""
     return float(np.hypot(distance, height))
-
-
-def tipping(distance: float, height: float) -> float:
-    """The slope at which it tips over that edge by itself."""
-    return float(np.degrees(np.arctan2(distance, height)))
-
-
-def tipping_upside_down(distance: float, height: float) -> float:
-    """As `tipping`, the ratio upside down."""
-    return 90 - tipping(distance, height)
 
 
 def _feet(robot: str, back: float) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:

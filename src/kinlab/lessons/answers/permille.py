@@ -37,12 +37,6 @@ def exact_with_coxa(robot: str, x: float) -> float:
     return float(np.degrees(q[1]))
 
 
-def exact_of_whole_length(robot: str, x: float) -> float:
-    """As `exact`, the whole distance in the place of half of it."""
-    share = x * 10 / lengths(robot)["femur"]
-    return math.degrees(math.acos(share)) if share <= 1 else math.nan
-
-
 def leg_of_table(robot: str, x: float) -> str:
     """Which leg gives the printed theta2: "whole", with the coxa, or "bare", without it."""
     shown = printed(robot, x)["theta2"]

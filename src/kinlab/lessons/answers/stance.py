@@ -81,8 +81,7 @@ def height_rolled_back(robot: str, limb: str, roll: float) -> float:
 
 def height_without_its_own(robot: str, limb: str, roll: float) -> float:
     """As `height_rolled`, for a foot at the body's own height."""
-    x, y, z = standing(robot, limb)
-    return height_rolled(robot, limb, roll) - z * float(np.cos(np.radians(roll)))
+    return height_rolled(robot, limb, roll) - stands_at(robot, limb) * float(np.cos(np.radians(roll)))
 
 
 def impossible(robot: str, roll: float) -> dict[str, float | str]:

@@ -16,11 +16,6 @@ def arc(robot: str, limb: str, joint: str, length: float) -> float:
     return length * float(np.radians(_servo(robot, limb, joint).model.deg_per_step))
 
 
-def arc_in_degrees(robot: str, limb: str, joint: str, length: float) -> float:
-    """As `arc`, the angle not turned into radians."""
-    return length * _servo(robot, limb, joint).model.deg_per_step
-
-
 def picture(robot: str, limb: str, joint: str, length: float) -> str:
     """The same as something to picture: "hair", "coin" or "finger"."""
     mm = arc(robot, limb, joint, length)
@@ -91,13 +86,6 @@ def joint_ticks(robot: str, alpha: float, beta: float, gamma: float) -> list[int
     return [reading.command for reading in readings.values() if reading.command is not None]
 
 
-def within_range(robot: str, limb: str, joint: str, angle: float) -> bool:
-    """Whether a joint may take an angle."""
-    leg = load_robot(robot).limb(limb)
-    i = leg.joint_names.index(joint)
-    return bool(leg.limits[0, i] <= np.radians(angle) <= leg.limits[1, i])
-
-
 def mounting(robot: str, limb: str, joint: str) -> dict[str, float]:
     """How a joint's servo is mounted: its zero, its sign, its step."""
     servo = _servo(robot, limb, joint)
@@ -116,7 +104,7 @@ def measured() -> dict[str, float]:
 
 
 def worst(robot: str) -> float:
-    """The farthest that rounding can put the foot from its place at the stance, mm: half a step of every joint at once."""
+    """The farthest that rounding can put the foot from its stance, mm: half a step of every joint at once."""
     return float(sum(steps(robot).values())) / 2
 
 

@@ -14,7 +14,10 @@ def flight(
     s = np.linspace(0.0, 1.0, 101)
     way, height = stroke * shape.along.value(s), lift * shape.height.value(s)
     canvas = Canvas(
-        columns, 10, [(0.0, 0.0), (stroke, 0.0), (0.0, lift), *zip(way, height, strict=True)], ascii_only=ascii_only
+        columns,
+        10,
+        [(0.0, 0.0), (stroke, 0.0), (0.0, lift), *zip(way, height, strict=True)],
+        ascii_only=ascii_only,
     )
     canvas.line((0.0, 0.0), (stroke, 0.0), "axis", dashed=True)
     for i in range(100):

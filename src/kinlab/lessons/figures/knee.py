@@ -6,9 +6,7 @@ from kinlab.canvas import Canvas
 from kinlab.robots import load_robot
 
 
-def both(
-    robot: str, x: float, y: float, z: float, columns: int = 40, ascii_only: bool = False
-) -> Canvas:
+def both(robot: str, x: float, y: float, z: float, columns: int = 40, ascii_only: bool = False) -> Canvas:
     """The leg in its own plane with both knees, and the line between femur's joint and foot that mirrors them."""
     leg = load_robot(robot).limb()
     poses = leg.ik(np.array([x, y, z]) / 1000).solutions[:2]

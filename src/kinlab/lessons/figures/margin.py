@@ -1,5 +1,7 @@
 """What a robot stands on."""
 
+from itertools import pairwise
+
 import numpy as np
 
 from kinlab.canvas import Canvas
@@ -30,7 +32,7 @@ def tipping(distance: float, height: float, columns: int = 40, ascii_only: bool 
     ]
     canvas = Canvas(columns, 12, [(-distance, 0.0), (2 * distance, 0.0), *arc], ascii_only=ascii_only)
     canvas.line((-distance, 0.0), (2 * distance, 0.0), "axis", dashed=True)
-    for one, other in zip(arc, arc[1:], strict=False):
+    for one, other in pairwise(arc):
         canvas.line(one, other, "link1")
     canvas.line((0.0, height), (distance, 0.0), "link0")
     canvas.mark((0.0, height), "+" if ascii_only else "✚", "target")

@@ -68,28 +68,40 @@ class Workbench:
             if not text:
                 continue
             if len(self.lines) >= MOST_LINES:
-                raise UsageError(f"more than {MOST_LINES} lines")
+                raise UsageError(self.task.say("state.many-lines", most=MOST_LINES))
             self._check(text)
-            done = execute(self.session, text)
+            done = self._help() if text.casefold() == "help" else execute(self.session, text)
             outcome.lines += done.lines
             outcome.ok = outcome.ok and done.ok
             self.lines.append(text)
         return outcome
 
+    def _help(self) -> Outcome:
+        """What a line may begin with here, and no more than that."""
+        width = max(len(VERBS[name].usage) for name in self.verbs)
+        return Outcome(
+            lines=[
+                [("verb", f"{VERBS[name].usage:<{width}}"), ("", f"  {VERBS[name].meaning}")]
+                for name in self.verbs
+            ]
+        )
+
     def _check(self, text: str) -> None:
         name, _, rest = text.casefold().partition(" ")
         assembling = self.session.assembling is not None
         if name in VERBS and name not in self.verbs:
-            raise UsageError(f"'{name}' is not for this exercise: find your way with packets")
+            raise UsageError(self.task.say("state.not-here", name=name))
         if name not in VERBS and not assembling:
-            raise UsageError(f"no command is named '{quote(name)}'{suggestion(name, self.verbs)}")
+            raise UsageError(
+                self.task.say("state.no-command", name=quote(name), near=suggestion(name, self.verbs))
+            )
         if name == "wait":
             try:
                 self._waited += float(rest)
             except ValueError:
                 return
             if not self._waited <= LONGEST_WAIT:
-                raise UsageError(f"at most {LONGEST_WAIT:g} s of waiting in all")
+                raise UsageError(self.task.say("state.long-wait", most=f"{LONGEST_WAIT:g}"))
 
     def reached(self) -> bool:
         """Whether everything is as wanted now."""
