@@ -1,6 +1,9 @@
 """Files that are whole at every moment, or not there; and where those lie that are the user's own."""
 
 import os
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 from kinlab.errors import FileError
@@ -91,3 +94,27 @@ def check_writable(path: Path) -> None:
         raise FileError(f"{path}: cannot be written: there is no folder {folder}")
     if not os.access(folder, os.W_OK):
         raise FileError(f"{path}: cannot be written: the folder {folder} is closed to you")
+
+
+@contextmanager
+def locked(path: Path) -> Iterator[None]:
+    """Keep other windows out of a file; the system lets go when a program dies.
+
+    Raises:
+        FileError: the lock's file cannot be made.
+    """
+    try:
+        file = path.with_name(f"{path.name}.lock").open("a+b")
+    except OSError as error:
+        raise FileError(f"{path.parent}: cannot be written: {error.strerror}") from None
+    with file:
+        if sys.platform == "win32":
+            import msvcrt
+
+            file.seek(0)
+            msvcrt.locking(file.fileno(), msvcrt.LK_LOCK, 1)
+        else:
+            import fcntl
+
+            fcntl.flock(file, fcntl.LOCK_EX)
+        yield

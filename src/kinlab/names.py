@@ -38,8 +38,13 @@ def resolve(name: str, valid: Iterable[str], what: str) -> str:
 def suggestion(name: str, names: Iterable[str]) -> str:
     """The end of an error message: the nearest of `names`, else all of them when they are few."""
     names = list(names)
-    by_fold = {n.casefold(): n for n in names}
-    near = [by_fold[f] for f in get_close_matches(name.casefold(), by_fold, n=3, cutoff=0.5)]
+    near = nearest(name, names)
     if near:
         return f"; did you mean {' or '.join(near)}?"
     return f"; there are: {', '.join(names)}" if names else ""
+
+
+def nearest(name: str, names: Iterable[str]) -> list[str]:
+    """Up to three of `names` that `name` may have been meant to be, the likeliest first."""
+    by_fold = {n.casefold(): n for n in names}
+    return [by_fold[f] for f in get_close_matches(name.casefold(), by_fold, n=3, cutoff=0.5)]

@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kinlab.dynamixel.quantity import from_ticks, to_ticks
-from kinlab.dynamixel.tables import load_table, models, printed_differences, table_of_number
+from kinlab.dynamixel.tables import load_table, models, table_of_number
 from kinlab.errors import UsageError
 
 
@@ -115,18 +115,3 @@ def test_what_is_no_amount_is_refused(text):
 def test_a_register_without_a_unit_takes_none():
     with pytest.raises(UsageError, match="has no unit"):
         to_ticks("5deg", load_table("AX-12A").find("led"))
-
-
-class TestWhatThePaperPrints:
-    def test_every_difference_names_a_place_and_both_values(self):
-        rows = printed_differences("receptionist-arm")
-        assert len(rows) >= 10
-        assert all(row["where"] and row["printed"] != row["right"] and row["cause"] for row in rows)
-
-    @pytest.mark.parametrize(
-        ("item", "wrong", "right"),
-        [("Model Number", "12", "24"), ("READ DATA", "1", "2"), ("SYNC WRITE", "7", "131")],
-    )
-    def test_the_known_mistakes_are_among_them(self, item, wrong, right):
-        rows = printed_differences("receptionist-arm")
-        assert any((r["item"], r["printed"], r["right"]) == (item, wrong, right) for r in rows)

@@ -1,8 +1,6 @@
 """The papers' inverse equations: the corrected form is true, the printed form is what the print says."""
 
-import csv
 import json
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -11,13 +9,20 @@ from kinlab import load_robot
 from kinlab.kinematics.transforms import rotation, wrap
 from kinlab.papers import as_printed
 from kinlab.papers.receptionist_arm import START, inverse_jacobian, jacobian, position
+from kinlab.papers.tables import printed_table
 
-DATA = Path(__file__).parent / "data"
+
+def rows(paper, *numbers):
+    """The rows of tables, as (table, row, cells)."""
+    tables = [printed_table(paper, number) for number in numbers]
+    return [
+        pytest.param(t.number, row, t.rows[row], id=f"{t.number} {row}") for t in tables for row in t.runs
+    ]
 
 
-def rows(name):
-    with (DATA / name).open() as file:
-        return list(csv.DictReader(file))
+def place(cells, scale=1.0):
+    """The place of the foot that a row begins with."""
+    return [scale * cells[axis].figure.value for axis in "xyz"]
 
 
 def limb_of(robot, limb=None):
@@ -83,17 +88,15 @@ def test_corrected_rate_control_arrives_at_a_true_solution_of_the_arm():
 # xl430-hexapod
 
 
-@pytest.mark.parametrize("row", rows("xl430_table_1.csv"), ids=lambda r: f"{r['leg']} {r['phase']}")
-def test_table_1_of_the_xl430_hexapod_is_the_corrected_form_through_the_servo_mountings(row):
-    side = "R1" if row["leg"] == "right" else "L1"
+@pytest.mark.parametrize(("table", "row", "cells"), rows("xl430-hexapod", "1"))
+def test_table_1_of_the_xl430_hexapod_is_the_corrected_form_through_the_servo_mountings(table, row, cells):
+    side = "R1" if row.startswith("right") else "L1"
     leg = load_robot("xl430-hexapod").limb(side)
-    target = [float(row[f"{axis}_mm"]) for axis in "xyz"]
-    (variant,) = at("xl430-hexapod", side, target, frame="paper", printed=())
+    (variant,) = at("xl430-hexapod", side, place(cells), frame="paper", printed=())
     for joint, name in zip(leg.joints, "cft", strict=True):
-        text = row[f"theta_{name}_deg"]
+        figure = cells[f"theta_{name}"].figure
         # Four digits, some cut and some rounded: within one of the last.
-        last = 10.0 ** -len(text.partition(".")[2])
-        assert abs(joint.servo.degrees(variant.angles[joint.name]) - float(text)) < last
+        assert abs(joint.servo.degrees(variant.angles[joint.name]) - figure.value) < 10.0**-figure.decimals
 
 
 def test_xl430_equations_4_and_5_have_no_value_letter_for_letter():
@@ -163,33 +166,11 @@ def test_udiebot_equations_where_they_have_a_value():
     assert all(cost > 1 for cost in costs(equations).values())
 
 
-@pytest.mark.parametrize("row", rows("udiebot_tables_4_5_6.csv"), ids=lambda r: f"{r['table']}-{r['row']}")
-def test_every_angle_of_udiebots_tables_4_to_6(row):
-    _, tables = at("udiebot", None, [10 * float(row[f"{a}_cm"]) for a in "xyz"], frame="paper")
-    printed = [float(row[f"theta{i}_deg"]) for i in (1, 2, 3)]
+@pytest.mark.parametrize(("table", "row", "cells"), rows("udiebot-quadruped", "4", "5", "6"))
+def test_every_angle_of_udiebots_tables_4_to_6(table, row, cells):
+    _, tables = at("udiebot", None, place(cells, 10), frame="paper")
+    printed = [cells[f"theta{i}"].figure.value for i in (1, 2, 3)]
     assert degrees(tables) == pytest.approx(printed, abs=1e-9)
-
-
-# Cells of the tables' forward kinematics that the tables' own angles and leg do not give.
-BLANK = {("6", str(row), "y") for row in (1, 2, 3, 4, 5, 7)}
-NOT_EXPLAINED = {("5", "1", "x"), *(("6", "8", axis) for axis in "xyz")}
-
-
-@pytest.mark.parametrize("row", rows("udiebot_tables_4_5_6.csv"), ids=lambda r: f"{r['table']}-{r['row']}")
-def test_the_forward_columns_of_udiebots_tables_are_those_of_a_leg_without_coxa(row):
-    """Shown with four decimals, of which the last was left off: 80 of 90 cells."""
-    leg = load_robot("udiebot").limb()
-    _, tables = at("udiebot", None, [10 * float(row[f"{a}_cm"]) for a in "xyz"], frame="paper")
-    for axis, value in zip("xyz", leg.from_limb(tables.own_tip, "paper") * 100, strict=True):
-        shown = np.trunc(np.round(np.round(value, 4) * 1000, 6)) / 1000
-        cell = (row["table"], row["row"], axis)
-        if cell in BLANK:
-            assert float(row[f"fk_{axis}_cm"]) == 0
-            assert shown == pytest.approx(-0.017, abs=0.0011)
-        elif cell in NOT_EXPLAINED:
-            assert shown != float(row[f"fk_{axis}_cm"])
-        else:
-            assert shown == pytest.approx(float(row[f"fk_{axis}_cm"]), abs=1e-9)
 
 
 def test_the_row_of_table_6_that_is_off_has_the_knee_of_its_neighbour():
@@ -198,7 +179,8 @@ def test_the_row_of_table_6_that_is_off_has_the_knee_of_its_neighbour():
     r = 15 * (np.cos(beta) + np.cos(beta + gamma))
     foot = [r * np.cos(alpha), 15 * (np.sin(beta) + np.sin(beta + gamma)), r * np.sin(alpha)]
     assert np.trunc(np.array(foot) * 1000) / 1000 == pytest.approx([25.764, 0.424, -3.961])
-    assert not any(row["theta2_deg"].startswith("30.5") for row in rows("udiebot_tables_4_5_6.csv"))
+    tables = [printed_table("udiebot-quadruped", number) for number in "456"]
+    assert not any(cell.figure.text.startswith("30.5") for table in tables for cell in table.cells("theta2"))
 
 
 def test_the_tables_error_is_that_of_pi_and_on_the_real_leg_that_of_the_coxa():

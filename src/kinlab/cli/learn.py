@@ -1,66 +1,25 @@
 """`kinlab learn`: the course. Without a lesson, the list; with one, the lesson."""
 
 import sys
-import time
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import Annotated
 
 import typer
-from typer.core import TyperGroup
 
-from kinlab.cli.command import JsonOption, NumericCommand, command_app, converted_plainly, print_json
+from kinlab.cli import learn_class
+from kinlab.cli.command import JsonOption, NumericCommand, command_app, print_json
+from kinlab.cli.learn_options import (
+    ExerciseArgument,
+    LangOption,
+    LessonArgument,
+    LessonGroup,
+    LessonsOption,
+    ProfileOption,
+    course_of,
+    progress_of,
+    sitting_of,
+)
 from kinlab.errors import UsageError
-from kinlab.language import language
-from kinlab.names import suggestion
-
-if TYPE_CHECKING:
-    from kinlab.lessons import Course, Progress, Sitting
-
-# How often a watched file is looked at, s.
-GLANCE = 0.3
-
-
-class LessonGroup(TyperGroup):
-    """A group whose first word may also be a lesson."""
-
-    def get_params(self, ctx: Any) -> list[Any]:
-        return converted_plainly(super().get_params(ctx))
-
-    def resolve_command(self, ctx: Any, args: list[str]) -> Any:
-        if args[0] not in self.commands:
-            args = ["start", *args]
-        return super().resolve_command(ctx, args)
-
-
-def complete_lesson(incomplete: str) -> list[str]:
-    """Lessons' names for the shell."""
-    from kinlab.lessons import load_course
-
-    return [name for name in load_course().lessons if name.startswith(incomplete)]
-
-
-LessonArgument = Annotated[
-    str,
-    typer.Argument(
-        metavar="LESSON",
-        help="Its name, a beginning of it, or its number.",
-        show_default=False,
-        autocompletion=complete_lesson,
-    ),
-]
-ExerciseArgument = Annotated[
-    str, typer.Argument(metavar="EXERCISE", help="Its name, or a beginning of it.", show_default=False)
-]
-LangOption = Annotated[
-    str | None, typer.Option("--lang", help="en or id. Default: $KINLAB_LANG, else as the system speaks.")
-]
-ProfileOption = Annotated[
-    str | None,
-    typer.Option("--profile", "-p", metavar="NAME", help="Whose progress; decides the numbers. [student]"),
-]
-LessonsOption = Annotated[
-    Path | None, typer.Option("--lessons", metavar="DIR", help="A folder with lessons of your own besides.")
-]
 
 app = command_app()
 
@@ -89,36 +48,6 @@ def _learn(
         _list(ctx, None, None, None, json)
 
 
-def _course(ctx: typer.Context, lang: str | None, lessons: Path | None) -> "tuple[Course, str]":
-    from kinlab.lessons import load_course
-
-    return load_course(lessons or ctx.obj[2]), language(lang or ctx.obj[0])
-
-
-def _progress(ctx: typer.Context, profile: str | None, speaks: str) -> "Progress":
-    from kinlab.language import words_of
-    from kinlab.lessons import Progress
-    from kinlab.lessons.progress import PROFILE
-
-    found = Progress(profile or ctx.obj[1] or PROFILE)
-    if found.set_aside:
-        message = words_of("kinlab.lessons").say(
-            speaks, "talk.set-aside", path=found.path, aside=found.set_aside.name, count=len(found.events)
-        )
-        typer.echo(f"kinlab: {message}", err=True)
-    return found
-
-
-def _sitting(
-    ctx: typer.Context, lesson: str, lang: str | None, profile: str | None, lessons: Path | None
-) -> "tuple[Sitting, Course]":
-    from kinlab.lessons import Sitting
-
-    course, speaks = _course(ctx, lang, lessons)
-    which = course.lesson(lesson)
-    return Sitting(which, _progress(ctx, profile, speaks), speaks), course
-
-
 @app.command("list", cls=NumericCommand, epilog="Example: kinlab learn list --profile ani")
 def _list(
     ctx: typer.Context,
@@ -130,8 +59,8 @@ def _list(
     """The lessons, and how far you are."""
     from kinlab.cli import learn_tables
 
-    course, speaks = _course(ctx, lang, lessons)
-    progress = _progress(ctx, profile, speaks)
+    course, speaks = course_of(ctx, lang, lessons)
+    progress = progress_of(ctx, profile, speaks)
     if json:
         print_json(learn_tables.list_json(course, progress, speaks))
     else:
@@ -167,67 +96,17 @@ def _start(
 
     if json and watch:
         raise UsageError("--json shows the lesson once, --watch takes it: give one of the two")
-    sitting, course = _sitting(ctx, lesson, lang, profile, lessons)
+    sitting, course = sitting_of(ctx, lesson, lang, profile, lessons)
     if json:
         print_json(learn_tables.lesson_json(sitting, ascii_only=ascii_only))
     elif watch:
-        _watch(sitting, watch)
+        from kinlab.cli.learn_watch import watch_file
+
+        watch_file(sitting, watch)
     else:
         from kinlab.cli.learn_session import Session
 
         Session(sitting, course, figures=figures, ascii_only=ascii_only).run()
-
-
-def _watch(sitting: "Sitting", path: Path) -> None:
-    """Check the answers in a file whenever it changes, until all are right."""
-    from kinlab.cli.learn_prose import prose
-    from kinlab.cli.printing import print_lines
-    from kinlab.files import write_whole
-    from kinlab.lessons.sheet import blank, read_sheet
-
-    if not path.exists():
-        write_whole(path, blank(sitting))
-        typer.echo(sitting.say("talk.sheet-made", path=path))
-    typer.echo(sitting.say("talk.watching", path=path))
-    seen: tuple[int, int] | None = None
-    known: dict[str, str] = {}
-    while sitting.open:
-        state = path.stat()
-        if (state.st_mtime_ns, state.st_size) == seen:
-            time.sleep(GLANCE)
-            continue
-        seen = state.st_mtime_ns, state.st_size
-        replies = read_sheet(_read(path))
-        for name, reply in replies.items():
-            if known.get(name) == reply:
-                continue
-            if name not in sitting.tasks:
-                typer.echo(
-                    sitting.say(
-                        "talk.sheet-unknown", path=path, name=name, near=suggestion(name, sitting.tasks)
-                    )
-                )
-                continue
-            if sitting.standing(name).done:
-                continue
-            verdict = sitting.check(name, reply)
-            style = "good" if verdict.ok else "bad" if verdict.counts else "odd"
-            print_lines([[(style, text) for _, text in line] for line in prose(f"{name}: {verdict.message}")])
-        known = replies
-        sys.stdout.flush()
-    each = [sitting.standing(name).status for name in sitting.tasks]
-    typer.echo(
-        sitting.say("talk.finished", solved=each.count("solved"), count=len(each), shown=each.count("shown"))
-    )
-
-
-def _read(path: Path) -> str:
-    from kinlab.errors import FileError
-
-    try:
-        return path.read_bytes().decode("utf-8", errors="replace")
-    except OSError as error:
-        raise FileError(f"{path}: cannot be read: {error.strerror}") from None
 
 
 @app.command("check", cls=NumericCommand, epilog="Example: kinlab learn check leg-geometry foot 75,3 -63 -28")
@@ -244,7 +123,7 @@ def _check(
     json: JsonOption = False,
 ) -> None:
     """Check one answer, and keep it. Exit code 1 where it is not right."""
-    sitting, _ = _sitting(ctx, lesson, lang, profile, lessons)
+    sitting, _ = sitting_of(ctx, lesson, lang, profile, lessons)
     name = sitting.lesson.exercise(exercise).id
     verdict = sitting.check(name, " ".join(answer))
     now = sitting.standing(name)
@@ -269,8 +148,8 @@ def _hint(
     lessons: LessonsOption = None,
     json: JsonOption = False,
 ) -> None:
-    """The next hint for an exercise; all of them again when there is none left."""
-    sitting, _ = _sitting(ctx, lesson, lang, profile, lessons)
+    """The next hint for an exercise. When none is left, all of them again."""
+    sitting, _ = sitting_of(ctx, lesson, lang, profile, lessons)
     name = sitting.lesson.exercise(exercise).id
     following = sitting.hint(name)
     found = [following] if following else sitting.hints(name)
@@ -293,11 +172,11 @@ def _solution(
     lessons: LessonsOption = None,
     json: JsonOption = False,
 ) -> None:
-    """The solution, after three tries; the exercise then counts as shown."""
+    """The solution, after three tries. The exercise then counts as shown."""
     from kinlab.errors import KinlabError
     from kinlab.lessons.progress import TRIES_BEFORE_SOLUTION
 
-    sitting, _ = _sitting(ctx, lesson, lang, profile, lessons)
+    sitting, _ = sitting_of(ctx, lesson, lang, profile, lessons)
     name = sitting.lesson.exercise(exercise).id
     text = sitting.solution(name)
     if text is None:
@@ -319,7 +198,7 @@ def _reset(
     yes: Annotated[bool, typer.Option("--yes", "-y", help="Without asking.")] = False,
 ) -> None:
     """Begin a lesson anew, with the same numbers. The history stays in the file."""
-    sitting, _ = _sitting(ctx, lesson, lang, profile, lessons)
+    sitting, _ = sitting_of(ctx, lesson, lang, profile, lessons)
     name = sitting.lesson.id
     if not yes:
         if not sys.stdin.isatty():
@@ -336,134 +215,13 @@ def _reset(
     typer.echo(sitting.say("talk.reset-done", lesson=name))
 
 
-@app.command(
-    "export", cls=NumericCommand, epilog="Example: kinlab learn export --profile ani --output ani.json"
-)
-def _export(
-    ctx: typer.Context,
-    profile: ProfileOption = None,
-    lessons: LessonsOption = None,
-    csv: Annotated[bool, typer.Option("--csv", help="Rows for a spreadsheet, in the place of JSON.")] = False,
-    output: Annotated[
-        Path | None, typer.Option("--output", "-o", metavar="FILE", help="Default: standard output.")
-    ] = None,
-    json: JsonOption = False,
-) -> None:
-    """Your work for the lecturer: every answer, with the seed that decides the numbers."""
-    import json as format_json
-
-    from kinlab.files import write_whole
-    from kinlab.lessons.export import to_csv, to_json
-
-    if csv and json:
-        raise UsageError("--csv and --json are two formats: give one")
-    course, speaks = _course(ctx, None, lessons)
-    progress = _progress(ctx, profile, speaks)
-    if not progress.seed:
-        raise UsageError(
-            f"the profile '{progress.profile}' has not begun any lesson{_others(progress.profile)}"
-        )
-    text = (
-        to_csv(progress)
-        if csv
-        else format_json.dumps(to_json(progress, course), indent=2, ensure_ascii=False)
-    )
-    if output:
-        write_whole(output, text if csv else text + "\n")
-        typer.echo(f"{output}: {len(progress.events)} event(s) of {progress.profile}", err=True)
-    else:
-        typer.echo(text, nl=not csv)
-
-
-def _others(profile: str) -> str:
-    from kinlab.lessons.progress import profiles
-
-    return suggestion(profile, profiles())
-
-
-@app.command("verify", cls=NumericCommand, epilog="Example: kinlab learn verify class/*.json")
-def _verify(
-    ctx: typer.Context,
-    files: Annotated[
-        list[Path], typer.Argument(metavar="FILE...", help="What students exported.", show_default=False)
-    ],
-    lang: LangOption = None,
-    lessons: LessonsOption = None,
-    json: JsonOption = False,
-) -> None:
-    """Judge students' answers again, and sum up the class. Exit code 1 where something is forged."""
-    from kinlab.cli import learn_tables
-    from kinlab.lessons.export import read_handed
-    from kinlab.lessons.verify import verify
-
-    course, _ = _course(ctx, lang, lessons)
-    handed = [each for file in files for each in read_handed(file)]
-    results = verify(handed, course, _tell if sys.stderr.isatty() else lambda profile: None)
-    if json:
-        print_json(
-            {"ok": not any(r.forged for r in results), "students": [r.to_json(course) for r in results]}
-        )
-    else:
-        learn_tables.show_class(course, results)
-    if any(result.forged for result in results):
-        raise typer.Exit(1)
-
-
-@app.command("lint", cls=NumericCommand, epilog="Example: kinlab learn lint --lessons my-lessons")
-def _lint(
-    ctx: typer.Context,
-    names: Annotated[
-        list[str] | None, typer.Argument(metavar="[LESSON...]", help="Only these. Default: all.")
-    ] = None,
-    lessons: LessonsOption = None,
-    json: JsonOption = False,
-) -> None:
-    """Find what is wrong with lessons: texts, references, terms, and every exercise over many seeds."""
-    from kinlab.lessons.lint import lint
-
-    course, _ = _course(ctx, None, lessons)
-    wanted = [course.lesson(name).id for name in names or ()]
-    findings = lint(course, wanted or None, _tell if sys.stderr.isatty() else lambda lesson: None)
-    if json:
-        print_json({"ok": not findings, "findings": [finding.to_json() for finding in findings]})
-    else:
-        for finding in findings:
-            typer.echo(str(finding))
-        looked = wanted or list(course.lessons)
-        exercises = sum(len(course.lessons[name].exercises) for name in looked)
-        typer.echo(
-            f"{len(looked)} lesson(s), {exercises} exercise(s): {len(findings) or 'no'} finding(s)",
-            err=bool(findings),
-        )
-    if findings:
-        raise typer.Exit(1)
-
-
-def _tell(name: str) -> None:
-    """What is looked at just now, on a line that is written over."""
-    sys.stderr.write(f"\r\x1b[K{name} ...")
-    sys.stderr.flush()
-
-
-@app.command("new", cls=NumericCommand, epilog="Example: kinlab learn new my-lesson --lessons my-lessons")
-def _new(
-    ctx: typer.Context,
-    name: Annotated[str, typer.Argument(metavar="NAME", help="Of the lesson: small letters and hyphens.")],
-    lessons: LessonsOption = None,
-    json: JsonOption = False,
-) -> None:
-    """Make a lesson from a template, in both languages."""
-    from kinlab.lessons.template import new_lesson
-
-    folder = lessons or ctx.obj[2] or Path("my-lessons")
-    made = new_lesson(name, folder)
-    if json:
-        print_json({"files": [str(path) for path in made]})
-        return
-    for path in made:
-        typer.echo(str(path))
-    typer.echo(f"See it:   kinlab learn {name} --lessons {folder}")
-    typer.echo(f"Check it: kinlab learn lint {name} --lessons {folder}")
+for _name, _command, _example in (
+    ("export", learn_class.export, "Example: kinlab learn export --profile ani --output ani.json"),
+    ("verify", learn_class.verify, "Example: kinlab learn verify class/*.json"),
+    ("lint", learn_class.lint, "Example: kinlab learn lint --lessons my-lessons"),
+    ("new", learn_class.new, "Example: kinlab learn new my-lesson --lessons my-lessons"),
+):
+    app.command(_name, cls=NumericCommand, epilog=_example)(_command)
 
 
 def _print(markdown: str) -> None:

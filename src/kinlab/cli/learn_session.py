@@ -15,8 +15,7 @@ from kinlab.lessons.progress import TRIES_BEFORE_SOLUTION
 from kinlab.lessons.prose import Line, wrapped
 from kinlab.lessons.replies import LONGEST_SCRIPT, UnreadableError, clean, quote
 from kinlab.lessons.sitting import WIDTH, Sitting, Text
-from kinlab.lessons.task import Task
-from kinlab.names import suggestion
+from kinlab.lessons.task import Task, did_you_mean
 
 # What a student may type in the place of an answer, in both languages.
 WORDS = {
@@ -256,7 +255,7 @@ class Session:
             self._say(
                 "no-term",
                 text=quote(name),
-                near=suggestion(quote(name), [t.name for t in self.course.glossary.values()]),
+                near=did_you_mean(self.sitting.language, name, self.course.glossary),
             )
             return
         meaning = term.meanings.get(self.sitting.language, term.meanings["en"])

@@ -12,6 +12,9 @@ from kinlab.lessons.lesson import Lesson
 from kinlab.lessons.progress import Progress, Standing
 from kinlab.lessons.prose import wrapped
 
+# Of one kind about one student, in the table for people.
+MOST_SENTENCES = 5
+
 
 def list_json(course: Course, progress: Progress, language: str) -> dict[str, Any]:
     """The document of `kinlab learn list --json`."""
@@ -158,5 +161,7 @@ def show_class(course: Course, results: list[Any]) -> None:
         show(lessons)
     for result in students:
         for kind, sentences in (("forged", result.forged), ("note", result.notes)):
-            for sentence in sentences:
+            for sentence in sentences[:MOST_SENTENCES]:
                 typer.echo(f"{quote(result.profile)} ({result.file}), {kind}: {sentence}")
+            if len(sentences) > MOST_SENTENCES:
+                typer.echo(f"    and {len(sentences) - MOST_SENTENCES} more; --json shows them all")

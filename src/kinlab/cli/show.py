@@ -53,7 +53,7 @@ def table(title: str, *columns: str | tuple[str, str]) -> Table:
     return found
 
 
-def sentences(*rows: tuple[str, str]) -> Table:
+def sentences(*rows: tuple[str | Text, str]) -> Table:
     """Sentences behind short heads, folded beside them."""
     found = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), show_header=False)
     found.add_column(justify="right", no_wrap=True)

@@ -9,16 +9,15 @@ import json
 import os
 import re
 import secrets
-import sys
-from collections.abc import Iterable, Iterator
-from contextlib import contextmanager, suppress
+from collections.abc import Iterable
+from contextlib import suppress
 from dataclasses import asdict, dataclass
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
 from kinlab.errors import FileError, UsageError
-from kinlab.files import write_whole
+from kinlab.files import locked, write_whole
 
 FORMAT = 1
 HOME = "KINLAB_HOME"
@@ -283,27 +282,3 @@ def progress_folder() -> Path:
 def profiles(folder: Path | None = None) -> list[str]:
     """The profiles that there are."""
     return sorted(path.name.removesuffix(ENDING) for path in (folder or progress_folder()).glob(f"*{ENDING}"))
-
-
-@contextmanager
-def locked(path: Path) -> Iterator[None]:
-    """Keep other windows out of a file; the system lets go when a program dies.
-
-    Raises:
-        FileError: the lock's file cannot be made.
-    """
-    try:
-        file = path.with_name(f"{path.name}.lock").open("a+b")
-    except OSError as error:
-        raise FileError(f"{path.parent}: cannot be written: {error.strerror}") from None
-    with file:
-        if sys.platform == "win32":
-            import msvcrt
-
-            file.seek(0)
-            msvcrt.locking(file.fileno(), msvcrt.LK_LOCK, 1)
-        else:
-            import fcntl
-
-            fcntl.flock(file, fcntl.LOCK_EX)
-        yield

@@ -1,6 +1,6 @@
 """An exercise as one student has it: own numbers, one language, the right answer computed by the core."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -11,6 +11,7 @@ from kinlab.lessons.lesson import Exercise, Lesson, Wording
 from kinlab.lessons.parameters import exercise_values, lesson_values
 from kinlab.lessons.registry import evaluate
 from kinlab.lessons.results import Goal, Reach
+from kinlab.names import nearest
 
 
 @dataclass(frozen=True)
@@ -122,6 +123,13 @@ class Task:
     def solution(self) -> str:
         """The way to the answer, with the answer."""
         return self.text(self.wording.solution, answer=shown(self.answer))
+
+
+def did_you_mean(language: str, name: str, names: Iterable[str]) -> str:
+    """The end of a sentence about a name that there is not: the nearest ones, "" where none is near."""
+    near = nearest(name, names)
+    words = words_of("kinlab.lessons")
+    return " " + words.say(language, "talk.near", names=", ".join(near)) if near else ""
 
 
 def shown(answer: Any) -> Any:

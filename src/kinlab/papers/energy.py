@@ -12,16 +12,13 @@ from numpy.typing import ArrayLike
 
 from kinlab.errors import UsageError
 from kinlab.kinematics.transforms import Array
-from kinlab.papers.tables import table
+from kinlab.papers.tables import printed_table
 from kinlab.robots import Robot
 
 PAPER = "krsri-hexapod"
 GAITS = ("wave", "tripod")
-# Energy and distance on each ground, with the averages printed below the tables of distance.
-GROUNDS = {
-    "flat": ("2", "3", {"wave": 90.0, "tripod": 91.7}),
-    "broken": ("4", "5", {"wave": 83.7, "tripod": 80.8}),
-}
+# The tables of energy and of distance on each ground.
+GROUNDS = {"flat": ("2", "3"), "broken": ("4", "5")}
 SECONDS = 3600.0
 
 
@@ -159,19 +156,18 @@ class Ground:
 
 def measured_energy(name: str) -> Ground:
     """The paper's runs on "flat" or "broken" ground: Tables 2 and 3, or 4 and 5."""
-    energy_table, distance_table, printed = GROUNDS[name]
-    runs, ways = table(PAPER, energy_table), table(PAPER, distance_table)
-    unit = "cm" if f"{GAITS[0]}_cm" in ways[0] else "percent"  # a way of 100 cm makes them the same
-    speed, duration, distance = (
-        np.array([row[key] for row in runs]) for key in ("speed_mm_s", "duration_s", "distance_cm")
-    )
-    energy = {gait: np.array([row[f"{gait}_wh"] for row in runs]) for gait in GAITS}
-    reached = {gait: np.array([row[f"{gait}_{unit}"] for row in ways]) for gait in GAITS}
+    energy_table, distance_table = GROUNDS[name]
+    runs, ways = printed_table(PAPER, energy_table), printed_table(PAPER, distance_table)
+    speed, duration, distance = (runs.column(key) for key in ("speed", "duration", "distance"))
+    energy = {gait: runs.column(gait) for gait in GAITS}
+    # In cm or percent: a way of 100 cm makes them the same.
+    reached = {gait: ways.column(gait) for gait in GAITS}
+    averages = ways.rows["average"]
     models = {gait: fit(duration, distance / 100, energy[gait]) for gait in GAITS}
     return Ground(
         name, energy_table, distance_table, speed / 1000, duration, distance / 100, energy, reached, models,
         crossover(models["wave"], models["tripod"]),
-        {gait: (float(reached[gait].mean()), printed[gait]) for gait in GAITS},
+        {gait: (float(reached[gait].mean()), averages[gait].figure.value) for gait in GAITS},
     )  # fmt: skip
 
 

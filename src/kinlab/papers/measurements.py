@@ -6,10 +6,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kinlab.kinematics.transforms import Array
-from kinlab.papers.tables import table
+from kinlab.papers.tables import printed_table
 from kinlab.robots import Limb, Robot
-
-AVERAGES_OF_TABLE_4 = (1.56, 0.88, 0.78)
 
 
 @dataclass(frozen=True)
@@ -47,13 +45,18 @@ def measured(robot: Robot, limb: Limb, target: ArrayLike) -> Measured | None:
             printed[same].mean(axis=0),
         )
     else:
-        where, shown = "Tables 2 and 3, mean of 9", AVERAGES_OF_TABLE_4
+        where, shown = "Tables 2 and 3, mean of 9", _averages()
     distance = np.linalg.norm(off[rows], axis=1).mean()
     return Measured(where, _three(off[rows].mean(axis=0)), float(distance), _three(shown))
 
 
 def _places(number: str) -> Array:
-    return np.array([[row["x_mm"], row["y_mm"], row["z_mm"]] for row in table("xl430-hexapod", number)])
+    table = printed_table("xl430-hexapod", number)
+    return np.stack([table.column(axis) for axis in "xyz"], axis=-1)
+
+
+def _averages() -> list[float]:
+    return [cell.figure.value for cell in printed_table("xl430-hexapod", "4").rows["average"].values()]
 
 
 def _three(values: ArrayLike) -> tuple[float, float, float]:

@@ -189,11 +189,6 @@ def table_of_number(number: int) -> ControlTable | None:
     return None
 
 
-def printed_differences(paper: str) -> list[dict[str, str]]:
-    """Where a paper prints something else than the manuals: where, item, printed, right, unit, cause."""
-    return _rows(paper)
-
-
 def _rows(name: str) -> list[dict[str, str]]:
     with (HERE / f"{name}.csv").open(encoding="utf-8", newline="") as file:
         return list(csv.DictReader(file))

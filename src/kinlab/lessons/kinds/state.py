@@ -9,8 +9,7 @@ from kinlab.dynamixel.sandbox import VERBS, Outcome, Session, execute
 from kinlab.errors import KinlabError, UsageError
 from kinlab.lessons.replies import LONGEST_SCRIPT, UnreadableError, clean, quote
 from kinlab.lessons.results import Goal, Holds, TipNear
-from kinlab.lessons.task import Task, Verdict
-from kinlab.names import suggestion
+from kinlab.lessons.task import Task, Verdict, did_you_mean
 from kinlab.robots import load_robot
 
 # What reaches beyond the session, or changes a servo from behind.
@@ -93,7 +92,11 @@ class Workbench:
             raise UsageError(self.task.say("state.not-here", name=name))
         if name not in VERBS and not assembling:
             raise UsageError(
-                self.task.say("state.no-command", name=quote(name), near=suggestion(name, self.verbs))
+                self.task.say(
+                    "state.no-command",
+                    name=quote(name),
+                    near=did_you_mean(self.task.language, name, self.verbs),
+                )
             )
         if name == "wait":
             try:
