@@ -65,10 +65,10 @@ def judge(task: Task, reply: str) -> Verdict:
 
 
 def field_of(packet: bytes, at: int) -> str:
-    """The name of the field that a byte of a right packet belongs to."""
+    """The name of the field that a byte of a right packet belongs to; bytes that are no packet are data."""
     for part in dissect(packet).fields:
         if part.offset <= at < part.offset + len(part.data):
-            return part.name
+            return part.name if part.name != "noise" else "data"
     return "data"
 
 

@@ -172,7 +172,7 @@ class Bench(Vertical):
 
     DEFAULT_CSS = """
     Bench {
-        height: 1fr;
+        height: 1fr; padding: 0 1;
         LegBench, ChainBench, BytesBench { display: none; height: 1fr; }
         &.leg LegBench, &.chain ChainBench, &.bytes BytesBench { display: block; }
     }

@@ -73,14 +73,21 @@ class List(OptionList):
     """One row for each lesson."""
 
     DEFAULT_CSS = """
-    List { height: 1fr; border: none; padding: 0 1; background: transparent; scrollbar-size-vertical: 1;
+    List { height: 1fr; border: none; padding: 0; background: transparent; scrollbar-size-vertical: 1;
         scrollbar-color: $faint; scrollbar-background: $background; text-wrap: nowrap; text-overflow: ellipsis;
     }
     List:focus { border: none; }
     """
 
+    @dataclass
+    class Widened(Message):
+        """Its rows have another width now."""
+
     def __init__(self) -> None:
         super().__init__(compact=True, markup=False)
+
+    def on_resize(self, event: Resize) -> None:
+        self.post_message(self.Widened())
 
 
 class Browser(Vertical):
@@ -152,11 +159,11 @@ class Browser(Vertical):
         room = max(self.query_one(List).size.width - SCROLLBAR, 30)
         ascii_only = bool(getattr(self.app, "ascii_only", False))
         title = f"{row.number:>2}  {row.title}"
-        gap = room - 2 - len(title) - len(row.facts)
+        gap = room - 3 - len(title) - len(row.facts)
         if gap < 2:
             title, gap = f"{title[: max(len(title) + gap - 3, 10)]}…", 2
         return Content.assemble(
-            sign(row.standing, ascii_only), " ", title, " " * gap, Content.styled(row.facts, "$quiet")
+            " ", sign(row.standing, ascii_only), " ", title, " " * gap, Content.styled(row.facts, "$quiet")
         )
 
     def _tell(self) -> None:
@@ -164,8 +171,9 @@ class Browser(Vertical):
         self.query_one("#about-text", Flow).put(*(self._shown[at].about if at is not None and self._shown else ()))
         self.query_one("#about", VerticalScroll).scroll_home(animate=False)
 
-    def on_resize(self, event: Resize) -> None:
-        self.call_after_refresh(lambda: self._fill(self.chosen))
+    @on(List.Widened)
+    def _widened(self) -> None:
+        self._fill(self.chosen)
 
     @on(Input.Changed, "#search")
     def _looked_for(self, event: Input.Changed) -> None:

@@ -23,7 +23,7 @@ class Desk(Vertical):
         height: 1fr;
         #asked { height: 1fr; padding: 0 1; scrollbar-size-vertical: 1; scrollbar-color: $faint;
             scrollbar-background: $background; }
-        #help { margin-top: 1; }
+        #help { margin: 1 0; }
         #talk { height: 1fr; min-height: 4; border-top: solid $faint; display: none; }
         #typing { height: 1; padding: 0 1; background: $surface; }
         #sign { width: auto; color: $orange; text-style: bold; }

@@ -161,10 +161,14 @@ class Seat:
     @property
     def instrument(self) -> str:
         """What belongs beside the exercise of now: "leg", "chain", "bytes"; "" for nothing."""
-        kind = self.task.exercise.kind if self.task else ""
-        if kind in ("state", "bytes"):
-            return {"state": "chain", "bytes": "bytes"}[kind]
-        return "leg" if self.sitting.lesson.robot and kind else ""
+        if self.task is None:
+            return ""
+        if self.task.exercise.kind == "state":
+            return "chain"
+        if self.task.exercise.kind == "bytes":
+            # A value by itself has no fields.
+            return "bytes" if bytes(self.task.answer).startswith(b"\xff\xff") else ""
+        return "leg" if self.sitting.lesson.robot else ""
 
     def limb(self) -> tuple[Limb, Array, Array | None]:
         """The limb that the exercise is about, a pose (n,), rad, and its target (3,), metres; None where it has none."""

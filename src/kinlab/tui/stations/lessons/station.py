@@ -68,15 +68,15 @@ class LessonsStation(Station):
         &.view-exercise #work, &.view-exercise Desk, &.view-bench #work, &.view-bench Bench { display: block; }
         &.-stacked {
             #panes { layout: vertical; }
-            #work { height: auto; max-height: 60%; display: block; border-top: solid $faint; }
+            #work { height: 1fr; display: block; border-top: solid $faint; }
             Desk { display: block; }
             &.view-exercise Page { display: block; }
-            &.view-bench #work { height: 1fr; max-height: 100%; }
         }
         &.-beside {
             #panes { layout: horizontal; }
             Page, #work, Desk { display: block; }
-            #work { width: 1fr; border-left: solid $faint; }
+            Page { width: 6fr; }
+            #work { width: 5fr; border-left: solid $faint; }
             &.-benched { Bench { display: block; border-top: solid $faint; } }
         }
         &.-end { #work { display: none; } Tabs { display: none; } }
