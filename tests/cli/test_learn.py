@@ -78,6 +78,14 @@ def test_a_student_errs_and_is_helped(types: Any) -> None:
     assert "You have looked at the solution of this one" in again.out
 
 
+def test_what_comes_next_is_the_next_open_lesson(types: Any) -> None:
+    first, second, third, *_ = load_course().lessons.values()
+    run = types(*right_lines(second), lesson=second.id)
+    assert f"Next: kinlab learn {third.id} " in run.out
+    last = list(load_course().lessons.values())[-1]
+    assert f"Next: kinlab learn {first.id} " in types(*right_lines(last), lesson=last.id).out
+
+
 def test_skipped_exercises_stay_open_and_are_named(types: Any) -> None:
     count = len(load_course().lesson(LEG).exercises)
     run = types(*["skip"] * count)

@@ -170,3 +170,33 @@ def test_a_closed_folder_is_said_to_be_closed(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("")
     with pytest.raises(FileError):
         Progress("ani", tmp_path / "file" / "below").begin()
+
+
+def test_bytes_that_are_no_text_are_kept_as_marks(samples: Course, tmp_path: Path) -> None:
+    sitting = Sitting(samples.lesson("every-kind"), Progress("ani", tmp_path), "en")
+    sitting.check("gait", "L2 L1 R2 R1\udcff")
+    sitting.check("number", "3")
+    assert Progress("ani", tmp_path).events == sitting.progress.events
+
+
+def test_a_second_window_sees_what_the_first_one_kept(tmp_path: Path) -> None:
+    one, other = Progress("ani", tmp_path), Progress("ani", tmp_path)
+    one.add(Event.now("try", "lesson", 1, "exercise", ok=True))
+    assert not other.standing("lesson", 1, "exercise").solved
+    other.refresh()
+    assert other.standing("lesson", 1, "exercise").solved
+
+
+def test_a_kill_while_a_damaged_file_is_set_aside_loses_nothing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    Progress("ani", tmp_path).add(Event.now("try", "lesson", 1, "exercise", ok=True))
+    path = tmp_path / "ani.jsonl"
+    path.write_bytes(path.read_bytes() + b"{ half")
+    monkeypatch.setattr(Progress, "_write", lambda self, text: (_ for _ in ()).throw(KeyboardInterrupt))
+    with pytest.raises(KeyboardInterrupt):
+        Progress("ani", tmp_path)
+    monkeypatch.undo()
+    again = Progress("ani", tmp_path)
+    assert again.standing("lesson", 1, "exercise").solved
+    assert len(list(tmp_path.glob("*.damaged-*"))) == 2

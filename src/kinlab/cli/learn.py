@@ -225,7 +225,7 @@ for _name, _command, _example in (
 
 
 def _print(markdown: str) -> None:
-    from kinlab.cli.learn_prose import prose
+    from kinlab.cli.learn_prose import lines
     from kinlab.cli.printing import print_lines
 
-    print_lines(prose(markdown))
+    print_lines(lines(markdown))

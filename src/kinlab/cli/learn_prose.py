@@ -1,10 +1,9 @@
-"""A lesson's Markdown as lines for this terminal."""
+"""A lesson's text on the plain terminal."""
 
 import shutil
 from collections.abc import Iterator
 
-from kinlab.lessons import prose as lines
-from kinlab.lessons.prose import Line
+from kinlab.lessons.prose import Line, prose
 
 MOST_COLUMNS = 88
 
@@ -14,6 +13,6 @@ def width() -> int:
     return min(shutil.get_terminal_size().columns, MOST_COLUMNS)
 
 
-def prose(markdown: str) -> Iterator[Line]:
-    """Markdown as lines of (style, text) as wide as is read with ease."""
-    return lines.prose(markdown, width())
+def lines(markdown: str) -> Iterator[Line]:
+    """Markdown as lines of (style, text) that fit the terminal."""
+    return prose(markdown, width())

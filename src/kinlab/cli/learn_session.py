@@ -4,15 +4,16 @@ import sys
 from collections.abc import Callable
 from contextlib import suppress
 from enum import Enum, auto
+from io import TextIOWrapper
 
 import typer
 
-from kinlab.cli.learn_prose import prose, width
+from kinlab.cli.learn_prose import lines, width
 from kinlab.cli.printing import print_lines
 from kinlab.errors import KinlabError
 from kinlab.lessons.course import Course
 from kinlab.lessons.progress import TRIES_BEFORE_SOLUTION
-from kinlab.lessons.prose import Line, wrapped
+from kinlab.lessons.prose import wrapped
 from kinlab.lessons.replies import LONGEST_SCRIPT, UnreadableError, clean, quote
 from kinlab.lessons.sitting import WIDTH, Sitting, Text
 from kinlab.lessons.task import Task, did_you_mean
@@ -58,6 +59,8 @@ class Session:
     def run(self) -> None:
         """The whole lesson, from its beginning; exercises that are done are passed by."""
         sitting = self.sitting
+        if isinstance(sys.stdin, TextIOWrapper):
+            sys.stdin.reconfigure(errors="replace")
         with suppress(ImportError):
             # Lines can be edited and called back.
             import readline  # noqa: F401
@@ -70,7 +73,7 @@ class Session:
                 if part.fallback and not fell_back:
                     self._say("fallback")
                 fell_back = part.fallback
-                print_lines(prose(part.markdown))
+                print_lines(lines(part.markdown))
             elif isinstance(part, Task):
                 number += 1
                 try:
@@ -117,13 +120,13 @@ class Session:
     def _exercise(self, task: Task, number: int) -> After:
         sitting, name = self.sitting, task.exercise.id
         print_lines([[("header", sitting.say("talk.exercise", number=number, count=len(sitting.tasks)))]])
-        print_lines(prose(sitting.question(name)))
+        print_lines(lines(sitting.question(name)))
         now = sitting.standing(name)
         if now.shown:
             self._markdown(sitting.say("talk.shown", text=task.solution))
             return After.GO_ON
         if now.solved:
-            self._say("solved", style="good")
+            self._say("solved", style="good", reply=quote(sitting.answered(name)))
             return After.GO_ON
         answer = self._talk if task.exercise.kind == "state" else self._answer
         return self._ask(task, answer(task))
@@ -160,7 +163,7 @@ class Session:
         if word == "hint":
             self._hint(task)
         elif word == "question":
-            print_lines(prose(self.sitting.question(task.exercise.id)))
+            print_lines(lines(self.sitting.question(task.exercise.id)))
         elif word == "help":
             state = task.exercise.kind == "state"
             self._say("how-state" if state else "how", tries=TRIES_BEFORE_SOLUTION)
@@ -276,7 +279,7 @@ class Session:
             self._say("left", names=", ".join(sitting.open))
             self._say("kept", lesson=lesson.id)
             return
-        following = self.course.next_for(sitting.progress)
+        following = self.course.next_for(sitting.progress, after=lesson.id)
         if following:
             self._say("next", lesson=following.id, title=following.title(sitting.language))
         else:
@@ -287,8 +290,7 @@ class Session:
 
     def _markdown(self, text: str, style: str = "") -> None:
         """A message, in one colour where it has one."""
-        lines: list[Line] = list(prose(text))
-        print_lines([[(style, part) for _, part in line] for line in lines] if style else lines)
+        print_lines([[(style or look, part) for look, part in line] for line in lines(text)])
 
 
 # Of a figure's parts, as the tables of `kinlab ik` colour them.

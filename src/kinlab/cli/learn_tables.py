@@ -68,8 +68,8 @@ def show_list(course: Course, progress: Progress, language: str) -> None:
         style = "good" if done == count else "odd" if done else ""
         minutes = words.say(language, "talk.minutes", minutes=lesson.minutes)
         head = f"{number:>3}  {lesson.id:<{wide}}  {minutes:>7}  {done:>2}/{count}  "
-        lines = list(wrapped(lesson.title(language), max(width(), len(head) + 20), head=head))
-        print_lines([[(style, text) for _, text in line] for line in lines])
+        row = wrapped(lesson.title(language), max(width(), len(head) + 20), head=head)
+        print_lines([[(style, text) for _, text in line] for line in row])
     for problem in course.problems:
         print_lines([[("bad", words.say(language, "talk.broken", error=problem))]])
     typer.echo()

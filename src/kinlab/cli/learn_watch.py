@@ -6,7 +6,7 @@ from pathlib import Path
 
 import typer
 
-from kinlab.cli.learn_prose import prose
+from kinlab.cli.learn_prose import lines
 from kinlab.cli.printing import print_lines
 from kinlab.errors import FileError
 from kinlab.files import write_whole
@@ -51,7 +51,7 @@ def watch_file(sitting: Sitting, path: Path) -> None:
                 continue
             verdict = sitting.check(name, reply)
             style = "good" if verdict.ok else "bad" if verdict.counts else "odd"
-            print_lines([[(style, text) for _, text in line] for line in prose(f"{name}: {verdict.message}")])
+            print_lines([[(style, text) for _, text in line] for line in lines(f"{name}: {verdict.message}")])
         known = replies
         sys.stdout.flush()
     each = [sitting.standing(name).status for name in sitting.tasks]

@@ -58,9 +58,11 @@ class Course:
             raise broken
         return self.lessons[resolve(name, self.lessons, "lesson")]
 
-    def next_for(self, progress: Progress) -> Lesson | None:
-        """The first lesson that a student has not finished; None where all are."""
-        for lesson in self.lessons.values():
+    def next_for(self, progress: Progress, after: str = "") -> Lesson | None:
+        """The first lesson that a student has not finished, behind `after` where there is one; None where all are."""
+        every = list(self.lessons.values())
+        at = next((i for i, lesson in enumerate(every, 1) if lesson.id == after), 0)
+        for lesson in [*every[at:], *every[:at]]:
             if not all(
                 progress.standing(lesson.id, lesson.version, exercise.id).done
                 for exercise in lesson.exercises

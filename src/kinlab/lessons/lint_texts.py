@@ -15,7 +15,8 @@ from kinlab.names import suggestion
 
 Found = tuple[Place, str]
 WIDEST_CODE = 80
-_NUMBER = re.compile(r"\d+(?:[.,]\d+)*")
+# Digits inside a name, such as theta2, are no number.
+_NUMBER = re.compile(r"(?<!\w)\d+(?:[.,]\d+)*")
 _CODE = re.compile(r"(?ms)^```.*?^```\s*$|^(?: {4}|\t)[^\n]*$|`[^`\n]*`")
 _HTML = re.compile(r"</?[a-zA-Z][^<>\n]*>")
 

@@ -9,10 +9,12 @@ import json
 import os
 import re
 import secrets
-from collections.abc import Iterable
+import shutil
+from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from dataclasses import asdict, dataclass
 from datetime import UTC, datetime
+from itertools import count
 from pathlib import Path
 from typing import Any
 
@@ -159,9 +161,16 @@ class Progress:
         self.seed = ""
         self.events: list[Event] = []
         self.set_aside: Path | None = None
-        if self.path.exists():
+        self._raw = b""
+        self.refresh()
+
+    def refresh(self) -> None:
+        """Take in what another window has added."""
+        # Reading needs no lock: a file is whole at every moment. Setting a damaged one aside does.
+        if not self._load():
             with locked(self.path):
-                self._read()
+                if not self._load():
+                    self._put_aside()
 
     def standing(self, lesson: str, version: int, exercise: str) -> Standing:
         """How the student stands with an exercise."""
@@ -187,51 +196,61 @@ class Progress:
             raise FileError(f"{self.path.parent}: cannot be made: {error.strerror}") from None
         with locked(self.path):
             # Another window may have added to it.
-            self._read()
+            if not self._load():
+                self._put_aside()
             if event:
                 self.events.append(event)
-            self._write()
+            # What is there already is not written anew: a long history costs no more than its bytes.
+            known = self._raw.decode() if self._raw else _line(self._head())
+            self._write(known + (_line(asdict(event)) if event else ""))
 
-    def _read(self) -> None:
-        """Take in the file, or as much of it as is sound."""
-        self.events = []
+    def _load(self) -> bool:
+        """Take in the file, as much of it as is sound; whether all of it is."""
         try:
             raw = self.path.read_bytes()
         except FileNotFoundError:
-            self.seed = self.seed or self._new_seed()
-            return
+            self._raw, self.events = b"", []
+            return True
         except OSError as error:
             raise FileError(f"{self.path}: cannot be read: {error.strerror}") from None
+        if raw and raw == self._raw:
+            return True
         head, events, sound = _parse(raw)
         if head.get("format", FORMAT) != FORMAT:
             raise FileError(f"{self.path}: was written by a newer KinLab (format {head['format']})")
         self.events = events
-        self.seed = head.get("seed") or self.seed or self._new_seed()
-        if not sound:
-            self._put_aside()
-            self._write()
+        self.seed = head.get("seed") or self.seed
+        self._raw = raw if sound else b""
+        return sound
+
+    def _head(self) -> dict[str, Any]:
+        self.seed = self.seed or self._new_seed()
+        return {"format": FORMAT, "profile": self.profile, "seed": self.seed}
 
     def _new_seed(self) -> str:
         # Without a name of one's own the numbers must still differ from a neighbour's.
         return secrets.token_hex(8) if self.profile == PROFILE else self.profile.casefold()
 
     def _put_aside(self) -> None:
+        """Keep a copy of a damaged file under another name, then go on with what could be read."""
         stamp = datetime.now(UTC).strftime("%Y%m%d-%H%M%S")
-        for count in range(1000):
-            goal = self.path.with_name(f"{self.path.name}.damaged-{stamp}{f'-{count}' if count else ''}")
-            if not goal.exists():
-                os.replace(self.path, goal)
-                self.set_aside = goal
-                return
+        names = (f"{self.path.name}.damaged-{stamp}{f'-{i}' if i else ''}" for i in count())
+        goal = next(path for name in names if not (path := self.path.with_name(name)).exists())
+        shutil.copyfile(self.path, goal)
+        self.set_aside = goal
+        self._write("".join(map(_line, (self._head(), *map(asdict, self.events)))))
 
-    def _write(self) -> None:
-        head = {"format": FORMAT, "profile": self.profile, "seed": self.seed}
-        lines = [json.dumps(each, ensure_ascii=False) for each in (head, *map(asdict, self.events))]
-        write_whole(self.path, "\n".join(lines) + "\n", lasting=True)
+    def _write(self, text: str) -> None:
+        write_whole(self.path, text, lasting=True)
+        self._raw = text.encode()
         for draft in self.path.parent.glob(f".{self.path.name}.*"):
             # Left behind by a program that was killed; under the lock nobody else is writing.
             with suppress(OSError):
                 draft.unlink()
+
+
+def _line(data: Mapping[str, Any]) -> str:
+    return json.dumps(data, ensure_ascii=False) + "\n"
 
 
 class Unkept(Progress):
@@ -242,6 +261,9 @@ class Unkept(Progress):
         self.seed = seed
         self.events = []
         self.set_aside = None
+
+    def refresh(self) -> None:
+        """Nobody else adds to it."""
 
     def _add(self, event: Event | None) -> None:
         if event:

@@ -61,7 +61,7 @@ def _shown(block: list[str], room: int) -> Iterator[Line]:
     elif all(line.startswith(("    ", "\t")) for line in block):
         yield from ([("id", line)] for line in block)
     elif block[0].lstrip().startswith("|"):
-        yield from _table(block)
+        yield from _table(block, room)
     else:
         yield from _paragraphs(block, room)
 
@@ -87,17 +87,26 @@ def _paragraphs(block: list[str], room: int) -> Iterator[Line]:
         yield from wrapped(text.strip(), room, head=head)
 
 
-def _table(block: list[str]) -> Iterator[Line]:
+def _table(block: list[str], room: int) -> Iterator[Line]:
+    """Columns as wide as their cells; what does not fit of the last one is folded."""
     rows = [[cell.strip() for cell in line.strip().strip("|").split("|")] for line in block]
     rows = [row for row in rows if not all(re.fullmatch(r":?-+:?", cell) for cell in row)]
-    plain = [["".join(text for _, text in spans(cell)) for cell in row] for row in rows]
-    count = max(map(len, plain))
-    wide = [max((len(row[i]) for row in plain if i < len(row)), default=0) for i in range(count)]
+    count = max(map(len, rows))
+    wide = [max(len(_plain(row[i])) if i < len(row) else 0 for row in rows) for i in range(count)]
+    left = sum(wide[:-1]) + 2 * count
     for number, row in enumerate(rows):
+        style = "header" if number == 0 else ""
         line: Line = [("", "  ")]
-        for cell, text, room in zip(row, plain[number], wide, strict=False):
-            line += [*spans(cell, "header" if number == 0 else ""), ("", " " * (room - len(text) + 2))]
-        yield line
+        for cell, size in zip(row[: count - 1], wide, strict=False):
+            line += [*spans(cell, style), ("", " " * (size - len(_plain(cell)) + 2))]
+        last = wrapped(row[-1] if len(row) == count else "", max(room - left, 20), style=style)
+        for folded in last:
+            yield [*line, *folded]
+            line = [("", " " * left)]
+
+
+def _plain(text: str) -> str:
+    return "".join(part for _, part in spans(text))
 
 
 def spans(text: str, style: str = "") -> Line:
@@ -124,22 +133,31 @@ def wrapped(text: str, room: int, *, head: str = "", style: str = "") -> Iterato
     line: Line = [("", head)] if head else []
     used = len(head)
     fresh = True
+    for word in _words(text, style):
+        size = sum(len(part) for _, part in word)
+        if not fresh and used + 1 + size > room:
+            yield line
+            line, used, fresh = [("", " " * len(head))] if head else [], len(head), True
+        if not fresh:
+            line.append(("", " "))
+            used += 1
+        line += word
+        used += size
+        fresh = False
+    yield line
+
+
+def _words(text: str, style: str) -> list[Line]:
+    """What a line must not break: a word with the full stop that follows its markup."""
+    found: list[Line] = []
+    glued = False
     for look, piece in spans(text, style):
         for word in re.findall(r"\S+|\s+", piece):
-            blank = word.isspace()
-            if not blank and not fresh and used + len(word) > room:
-                yield _trimmed(line)
-                line, used, fresh = [("", " " * len(head))] if head else [], len(head), True
-            if blank and fresh:
-                continue
-            shown = " " if blank else word
-            line.append((look, shown))
-            used += len(shown)
-            fresh = False
-    yield _trimmed(line)
-
-
-def _trimmed(line: Line) -> Line:
-    while line and line[-1][1].isspace() and len(line) > 1:
-        line.pop()
-    return line
+            if word.isspace():
+                glued = False
+            elif glued:
+                found[-1].append((look, word))
+            else:
+                found.append([(look, word)])
+                glued = True
+    return found

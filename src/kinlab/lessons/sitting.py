@@ -167,6 +167,8 @@ class Sitting:
             FileError: the progress cannot be written.
         """
         task = self._task(name)
+        # Bytes that were no text come as halves of characters, which no file can hold.
+        reply = reply.encode(errors="replace").decode()
         verdict = judge(task, reply)
         if verdict.counts:
             self._keep("try", task, reply=reply[:LONGEST_SCRIPT], ok=verdict.ok, code=verdict.code)
@@ -186,6 +188,14 @@ class Sitting:
     def reached(self, name: str, lines: Sequence[str]) -> bool:
         """Whether lines on a fresh workbench lead to the goal, moments later; nothing is kept of it."""
         return judge(self._task(name), "\n".join(lines)).ok
+
+    def answered(self, name: str) -> str:
+        """The latest right reply, "" where there is none."""
+        exercise = self._task(name).exercise.id
+        for event in reversed(self.progress.events):
+            if event.ok and (event.lesson, event.exercise) == (self.lesson.id, exercise):
+                return event.reply
+        return ""
 
     def hints(self, name: str) -> list[Hint]:
         """Those that were looked at, in their order."""

@@ -4,26 +4,24 @@ import math
 
 import numpy as np
 
+from kinlab.kinematics.transforms import Array
 from kinlab.lessons.answers.leg import lengths
+from kinlab.papers.tables import printed_table
 from kinlab.papers.udiebot_quadruped import TABLES_PI, tables_ik, tables_tip
 
-# The paper's own slips, all of which are needed for its digits: see `kinlab.papers.udiebot_quadruped`.
-AS_PRINTED = frozenset({"coxa", "pi", "cut"})
-# The x errors of Table 6, row by row, cm; that of z = -4 is the eighth.
-TABLE_6_X = (0.004, 0.005, 0.006, 0.006, 0.007, 0.007, 0.007, 0.236, 0.006, 0.005)
+PAPER = "udiebot-quadruped"
+# The row of Table 6 that stands out, that of z = -4 cm.
 OUTLIER = 7
 FRACTIONS = {"twenty-two": 22 / 7, "three-fourteen": 3.14, "four-digits": 3.1416, "tsu": 355 / 113}
 
 
 def printed(robot: str, x: float) -> dict[str, float]:
-    """The row of Table 4 for a foot at x, 0, 0: its three angles and, from them, the paper's forward kinematics."""
-    q = tables_ik(np.array([x / 100, 0.0, 0.0]), _metres(robot), AS_PRINTED).q
-    tip = tables_tip(q, _metres(robot)) * 100
-    angles = [round(float(a), 3) + 0.0 for a in np.degrees(q)]
-    return {
-        "theta1": angles[0], "theta2": angles[1], "theta3": angles[2],
-        "short_mm": float(x - tip[0]) * 10, "low_mm": float(-tip[2]) * 10,
-    }  # fmt: skip
+    """The row of Table 4 for a foot at x, 0, 0: its angles, and how far off a true forward kinematics puts the foot."""
+    table = printed_table(PAPER, "4")
+    i = table.column("x").tolist().index(x)
+    theta2, theta3 = (float(table.column(name)[i]) for name in ("theta2", "theta3"))
+    tip = tables_tip(np.radians([0.0, theta2, theta3]), _metres(robot)) * 1000
+    return {"theta2": theta2, "theta3": theta3, "short_mm": x * 10 - float(tip[0]), "low_mm": -float(tip[2])}
 
 
 def exact(robot: str, x: float) -> float:
@@ -68,6 +66,11 @@ def pi_upside_down(robot: str, x: float) -> float:
     return math.pi * ratio(robot, x)
 
 
+def true_pi() -> float:
+    """As `their_pi`, the right one."""
+    return math.pi
+
+
 def fraction(robot: str, x: float) -> str:
     """Which of the well-known values for pi that is."""
     found = their_pi(robot, x)
@@ -102,23 +105,53 @@ def knee_not_taken(robot: str, x: float) -> float:
 
 def average() -> float:
     """Of Table 6's x errors, cm."""
-    return sum(TABLE_6_X) / len(TABLE_6_X)
+    return float(_errors().mean())
 
 
 def average_without_outlier() -> float:
     """The same without the row of z = -4."""
-    rest = [error for i, error in enumerate(TABLE_6_X) if i != OUTLIER]
-    return sum(rest) / len(rest)
+    return float(np.delete(_errors(), OUTLIER).mean())
 
 
 def average_by_ten() -> float:
     """As `average_without_outlier`, the remaining nine divided by ten."""
-    return average_without_outlier() * (len(TABLE_6_X) - 1) / len(TABLE_6_X)
+    return average_without_outlier() * (len(_errors()) - 1) / len(_errors())
 
 
 def share(x: float) -> float:
     """The average error, in percent of x cm."""
     return average() / x * 100
+
+
+def outlier() -> dict[str, float]:
+    """The row of z = -4: its angles, and where the paper's forward kinematics finds the foot, cm."""
+    table = printed_table(PAPER, "6")
+    names = ("theta1", "theta2", "theta3", "fk x", "fk y", "fk z")
+    return {name.replace(" ", "_"): float(table.column(name)[OUTLIER]) for name in names}
+
+
+def knee_of(row: int) -> float:
+    """theta3 of the row that stands so many rows below that of z = -4; above it where negative."""
+    return float(printed_table(PAPER, "6").column("theta3")[OUTLIER + row])
+
+
+def foot_with_knee(robot: str, row: int) -> list[float]:
+    """The foot, cm, with theta1 and theta2 of the row of z = -4 and theta3 of another; axes as the tables name them."""
+    angles = outlier()
+    q = np.radians([angles["theta1"], angles["theta2"], knee_of(row)])
+    out, aside, up = (float(v) * 100 for v in tables_tip(q, _metres(robot)))
+    return [out, up, aside]
+
+
+def copied(robot: str) -> str:
+    """Whose theta3 the forward kinematics of that row was given: its "own", or that of the row "before" or "after"."""
+    rows = {"before": -1, "own": 0, "after": 1}
+    wanted = outlier()["fk_x"]
+    return min(rows, key=lambda name: abs(foot_with_knee(robot, rows[name])[0] - wanted))
+
+
+def _errors() -> Array:
+    return printed_table(PAPER, "6").column("error x")
 
 
 def _exact(robot: str, x: float) -> list[float]:

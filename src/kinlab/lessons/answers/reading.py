@@ -5,8 +5,7 @@ from functools import cache
 import numpy as np
 
 from kinlab.papers import eros_humanoid
-from kinlab.papers.measurements import AVERAGES_OF_TABLE_4
-from kinlab.papers.tables import table
+from kinlab.papers.tables import printed_table
 
 PAPER = "xl430-hexapod"
 AXES = ("x", "y", "z")
@@ -76,7 +75,7 @@ def mean_of_eight(axis: str) -> float:
 
 def printed_mean(axis: str) -> float:
     """The average that is printed for it."""
-    return AVERAGES_OF_TABLE_4[AXES.index(axis)]
+    return printed_table(PAPER, "4").rows["average"][axis].figure.value
 
 
 def total(axis: str) -> float:
@@ -108,4 +107,5 @@ def wrong_line_of_the_head() -> int:
 
 @cache
 def _rows(number: str) -> list[Place]:
-    return [(row["x_mm"], row["y_mm"], row["z_mm"]) for row in table(PAPER, number)]
+    columns = [printed_table(PAPER, number).column(axis).tolist() for axis in AXES]
+    return list(zip(*columns, strict=True))

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from kinlab.papers.tables import table
+from kinlab.papers.tables import printed_table
 from kinlab.robots import Limb, load_robot
 from kinlab.robots.servo import Servo
 from kinlab.robots.target import read_servos
@@ -99,8 +99,8 @@ def zeros(robot: str) -> list[float]:
 
 def measured() -> dict[str, float]:
     """The average errors of xl430-hexapod's Table 4, mm, by axis, as its rows give them."""
-    rows = table("xl430-hexapod", "4")
-    return {axis: sum(row[f"{axis}_mm"] for row in rows) / len(rows) for axis in "xyz"}
+    printed = printed_table("xl430-hexapod", "4")
+    return {axis: float(printed.column(axis).mean()) for axis in "xyz"}
 
 
 def worst(robot: str) -> float:
