@@ -55,6 +55,14 @@ def test_labels_never_cover_marks_or_each_other():
     assert 1 <= text.count("name") <= 4
 
 
+def test_a_label_may_stand_on_the_left_first():
+    for left, text in ((False, "o name"), (True, "name o")):
+        canvas = _square()
+        canvas.mark((0.0, 0.0), "o", "")
+        canvas.label((0.0, 0.0), "name", "", left=left)
+        assert text in canvas.text()
+
+
 def test_ascii_only_needs_no_braille():
     canvas = _square(ascii_only=True)
     canvas.line((-9.0, -9.0), (9.0, 9.0), "line")
@@ -127,3 +135,44 @@ def test_a_chart_far_from_zero_may_leave_it_out():
     canvas, _, up = chart({"a": points}, 40, 6, zero=False)
     assert up == (100.0, 101.0)
     assert "axis" not in {role for row in canvas.spans() for _, role in row}
+
+
+def test_the_place_of_a_character_is_where_a_mark_at_it_stands():
+    canvas = _square()
+    x, y = canvas.place(14, 2)
+    canvas.mark((x, y), "X", "")
+    row = canvas.text().splitlines()[2]
+    assert row.index("X") == 14
+
+
+def test_an_outline_is_the_edge_of_a_region_and_nothing_of_its_inside():
+    outlined, filled = _square(), _square()
+    outlined.outline(lambda xs, ys: [[x * x + y * y < 64 for x in xs] for y in ys], "edge")
+    filled.fill(lambda x, y: x * x + y * y < 64, "disc")
+    inside = canvas_dots(filled)
+    edge = canvas_dots(outlined)
+    assert edge < inside
+    for x, y in edge:
+        assert not {(x - 1, y), (x + 1, y), (x, y - 1), (x, y + 1)} <= inside
+    for x, y in inside - edge:
+        assert {(x - 1, y), (x + 1, y), (x, y - 1), (x, y + 1)} <= inside
+
+
+def test_a_thick_line_is_two_dots_wide():
+    thin, thick = _square(), _square()
+    for canvas, settings in ((thin, {}), (thick, {"thick": True})):
+        canvas.line((-9.0, 0.0), (9.0, 0.0), "line", **settings)
+    assert len(canvas_dots(thick)) == 2 * len(canvas_dots(thin))
+
+
+def canvas_dots(canvas: Canvas) -> set[tuple[int, int]]:
+    """The dots that are set, by column and row, read back from the braille."""
+    weights = ((0x01, 0x08), (0x02, 0x10), (0x04, 0x20), (0x40, 0x80))
+    return {
+        (2 * c + dx, 4 * r + dy)
+        for r, row in enumerate(canvas.text().splitlines())
+        for c, char in enumerate(row)
+        for dy in range(4)
+        for dx in range(2)
+        if char != " " and ord(char) - 0x2800 & weights[dy][dx]
+    }

@@ -91,8 +91,12 @@ class Canvas:
         if cell:
             self._chars[cell], self._roles[cell] = char, role
 
-    def label(self, point: Point, text: str, role: str) -> None:
-        """Text beside a place, where there is room for it: right, left, above, below; else nowhere."""
+    def label(self, point: Point, text: str, role: str, *, left: bool = False) -> None:
+        """Text beside a place, where there is room for it: right, left, above, below; else nowhere.
+
+        Args:
+            left: whether to try the left side first.
+        """
         cell = self._cell(point)
         if not cell:
             return
@@ -103,6 +107,8 @@ class Canvas:
             (row - 1, column + 1),
             (row + 1, column + 1),
         ]
+        if left:
+            places[:2] = places[1::-1]
         for r, c in places:
             inside = 0 <= r < self.rows and c >= 0 and c + len(text) <= self.columns
             if inside and not any(

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from textual.widgets import Select, Static
+from textual.widgets import Static
 
 from kinlab.robots import load_robot
 from kinlab.tui.widgets import Choice, Dial, Picture
@@ -295,7 +295,7 @@ def test_lists_choose_limb_frame_and_beginning(run):
         for choice, value in (("#limb", "L2"), ("#frame", "paper"), ("#begin", "angles")):
             await pilot.click(choice)
             await pilot.pause()
-            assert station.query_one(choice, Select).query_one("SelectOverlay").has_focus
+            assert station.query_one(choice, Choice).query_one("SelectOverlay").has_focus
             await pilot.press("escape")
             station.query_one(choice, Choice).value = value
             await settle(pilot)

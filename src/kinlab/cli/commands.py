@@ -25,8 +25,8 @@ COMMANDS = {
     "emulate": "an emulated servo chain for other programs, on a pty or TCP",
     "learn": "the course: lessons that check themselves, in English and Bahasa Indonesia",
     "bus": "scan, read, write and monitor the servos on a port",
-    "serve": "the laboratory in a browser, for one person or a class",
     "papers": "every number that the papers print, recomputed: what follows, what does not, and why",
+    "serve": "the laboratory in a browser, for one person or a class",
 }
 
 

@@ -23,7 +23,7 @@ def serve(
     ] = "127.0.0.1",
     port: Annotated[int, typer.Option(help="0: any that is free.")] = 8000,
     sessions: Annotated[
-        int, typer.Option(help="How many there may be at a time; each takes about 60 MB.")
+        int, typer.Option(help="How many there may be at a time; each takes about 75 MB.")
     ] = 8,
     robots: RobotsOption = None,
 ) -> None:

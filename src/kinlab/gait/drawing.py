@@ -69,7 +69,7 @@ def draw_support(
         canvas.mark(foot, down if stands else up, "tip")
     canvas.mark(_above(state.centre), centre, "target")
     for leg, foot in zip(legs, feet, strict=True):
-        canvas.label(foot, leg.name, "joint")
+        canvas.label(foot, leg.name, "joint", left=foot[0] < 0)
     return canvas
 
 

@@ -5,11 +5,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from kinlab.dynamixel import Bus, Chain, SimulatedClock
+from kinlab.dynamixel import Bus, Chain, MemoryPort, SimulatedClock
 from kinlab.dynamixel.outfit import worn_by
 from kinlab.errors import KinlabError
 from kinlab.kinematics.transforms import Array
-from kinlab.rig.arm.trace import TappedPort
 from kinlab.rig.rig import Rig
 from kinlab.robots import Limb, Robot
 
@@ -51,6 +50,16 @@ class Arrival:
         return float(np.linalg.norm(self.tip - np.asarray(target)))
 
 
+class _Line(MemoryPort):
+    """An emulated wire that remembers what went over it last."""
+
+    sent = b""
+
+    def send(self, data: bytes) -> None:
+        self.sent = data
+        super().send(data)
+
+
 class LimbBench:
     """A limb in the air, its servos switched on; nothing pulls at it but their own friction."""
 
@@ -61,7 +70,7 @@ class LimbBench:
             UsageError: the limb's servos are not on a bus.
         """
         self.limb = limb
-        self.port = TappedPort(Chain.of(worn_by(robot)), SimulatedClock())
+        self.port = _Line(Chain.of(worn_by(robot)), SimulatedClock())
         protocol = int(float(limb.joints[0].servo.model.protocol)) if limb.joints[0].servo else None
         self.rig = Rig(robot, Bus(self.port, protocol=protocol), [limb])
         self.protocol = protocol or 1
@@ -87,11 +96,8 @@ class LimbBench:
         ticks = self.rig.wiring.ticks(q)
         clock = self.port.clock
         began = clock.now()
-        self.port.heard.clear()
-        self.port.listening = True
         self.rig.command(ticks)
-        self.port.listening = False
-        sent = self.port.heard[0][2]
+        sent = self.port.sent
         before = np.full(len(ticks), np.nan)
         while True:
             reading = self.rig.read()

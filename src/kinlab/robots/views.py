@@ -65,7 +65,7 @@ def size_of(limb: Limb) -> Array:
 
 
 def view(
-    limb: Limb, name: str, target: Array, box: Array, rotation: Array | None = None, fineness: int = 80
+    limb: Limb, name: str, target: Array, box: Array, rotation: Array | None = None, fineness: int = 60
 ) -> View:
     """The view from the side, in the upright plane through the first joint and `target`, or from the top.
 

@@ -7,12 +7,11 @@ from collections.abc import Callable, Iterable
 from functools import partial
 from importlib import import_module
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from rich.text import Text
 from textual.app import App, SystemCommand
 from textual.binding import Binding, BindingType
-from textual.command import CommandPalette, Provider
 from textual.screen import Screen
 
 from kinlab.errors import UsageError
@@ -20,11 +19,12 @@ from kinlab.files import own_folder
 from kinlab.language import LANGUAGES, language, words_of
 from kinlab.tui import themes
 from kinlab.tui.actions import SHELL, Action, bindings
-from kinlab.tui.crash import write_report
-from kinlab.tui.palette import Actions
 from kinlab.tui.settings import Settings
 from kinlab.tui.station import Station
 from kinlab.tui.stations import STATIONS
+
+if TYPE_CHECKING:
+    from textual.command import Provider
 
 OPEN = tuple(
     Action(f"open_{name}", f"f{i + 1},{i}", f"app.open_station('{name}')", shown=False)
@@ -36,6 +36,12 @@ def _station(name: str) -> Screen[Any]:
     module, _, made = STATIONS[name].partition(":")
     screen: Screen[Any] = getattr(import_module(module), made)()
     return screen
+
+
+def _commands() -> "type[Provider]":
+    from kinlab.tui.palette import Actions
+
+    return Actions
 
 
 class KinlabApp(App[None]):
@@ -50,7 +56,7 @@ class KinlabApp(App[None]):
     MODES: ClassVar[dict[str, str | Callable[[], Screen[Any]]]] = {
         name: partial(_station, name) for name in STATIONS
     }
-    COMMANDS: ClassVar[set[type[Provider] | Callable[[], type[Provider]]]] = {Actions}
+    COMMANDS: ClassVar[set["type[Provider] | Callable[[], type[Provider]]"]] = {_commands}
     BINDINGS: ClassVar[list[BindingType]] = bindings((*SHELL, *OPEN))
     # Textual declares these in a way that reads as attributes of an instance.
     HORIZONTAL_BREAKPOINTS = [(0, "-narrow"), (80, "-normal"), (120, "-wide")]  # noqa: RUF012
@@ -154,6 +160,8 @@ class KinlabApp(App[None]):
 
     def action_command_palette(self) -> None:
         """Open the palette, with its question in the language of now."""
+        from textual.command import CommandPalette
+
         if not isinstance(self.screen, CommandPalette):
             question = words_of("kinlab.tui").say(self.tongue, "shell.search")
             self.push_screen(CommandPalette(placeholder=question, id="--command-palette"))
@@ -178,6 +186,8 @@ class KinlabApp(App[None]):
 
     def _fatal_error(self) -> None:
         """KinLab itself has failed: no page of code, but where the report is and what is asked for."""
+        from kinlab.tui.crash import write_report
+
         report = write_report(self._exception, self.folder) if self._exception else None
         say = words_of("kinlab.tui").say
         cause = f"{type(self._exception).__name__}: {self._exception}"

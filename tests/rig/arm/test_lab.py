@@ -106,7 +106,7 @@ def test_the_arm_and_its_line_are_in_sight(limb, line, view):
 @pytest.mark.parametrize("view", VIEWS)
 def test_a_hand_on_the_drawing_pulls_to_where_it_is(limb, line, view):
     tip = VIEWS[view] @ limb.fk(line.q[0])[:3, 3] * 1000
-    force = np.array(pull(limb, line.q[0], view, (tip[0] + 30, tip[1] - 45)))
+    force = np.array(pull(limb, line.q[0], view, (tip[0] + 40, tip[1] - 60)))
     np.testing.assert_allclose(VIEWS[view] @ force, [2, -3], atol=1e-9)
     assert np.linalg.norm(pull(limb, line.q[0], view, (1e6, 1e6))) == pytest.approx(10)
     assert pull(limb, line.q[0], view, tuple(tip)) == pytest.approx((0, 0, 0), abs=1e-9)

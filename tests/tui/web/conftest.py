@@ -31,7 +31,7 @@ class Small(App):
         super().exit()
 Small().run()
 """
-PATIENCE = 40.0  # s for a program to start on a busy machine
+PATIENCE = 60.0  # s for a program to start on a busy machine
 
 
 class Served:
@@ -90,11 +90,6 @@ class Visitor:
     async def type(self, text: str) -> None:
         """Send keys."""
         await self.line.send_str(json.dumps(["stdin", text]))
-
-    async def click(self, column: int, row: int) -> None:
-        """Press the mouse and let it go, at a place counted from 0."""
-        await self.type(f"\x1b[<0;{column + 1};{row + 1}M")
-        await self.type(f"\x1b[<0;{column + 1};{row + 1}m")
 
     async def see(self, *texts: str) -> str:
         """Wait until all of these stand on the screen; the screen."""

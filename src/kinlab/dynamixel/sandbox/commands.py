@@ -124,15 +124,24 @@ def _save(session: Session, rest: str) -> Outcome:
     return Outcome(lines=[[("good", f"{len(session.history)} line(s) saved to {path}")]])
 
 
+def read_script(name: str) -> str:
+    """The lines of a file.
+
+    Raises:
+        FileError: it cannot be read.
+    """
+    try:
+        return file_named(name).read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        raise FileError(f"{name}: cannot be read: {getattr(error, 'strerror', None) or error}") from None
+
+
 def _load(session: Session, rest: str) -> Outcome:
     if not rest:
         raise UsageError("usage: load FILE")
     if session.loading >= DEEPEST_LOAD:
         raise FileError(f"{rest}: files that load each other")
-    try:
-        text = file_named(rest).read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        raise FileError(f"{rest}: cannot be read: {getattr(error, 'strerror', None) or error}") from None
+    text = read_script(rest)
     session.loading += 1
     try:
         outcomes = list(run_script(session, text))

@@ -16,7 +16,7 @@ VIEWS = {
     "side": np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]),
     "behind": np.array([[0.0, -1.0, 0.0], [0.0, 0.0, 1.0]]),
 }
-MM_PER_NEWTON = 15.0
+MM_PER_NEWTON = 20.0
 STRONGEST = 10.0  # N that a hand on the drawing pulls with
 # How far around the line the hand stays in sight, mm.
 ROOM = 100.0
@@ -66,7 +66,11 @@ def draw_arm(
     if force is not None and any(force):
         x, y = points[-1]
         push = plane @ np.asarray(force) / 1000 * MM_PER_NEWTON
-        canvas.line((x, y), (x + float(push[0]), y + float(push[1])), "bad")
+        end = (x + float(push[0]), y + float(push[1]))
+        canvas.line((x, y), end, "bad")
+        heads = "><^v" if ascii_only else "→←↑↓"
+        across = abs(push[0]) > abs(push[1])
+        canvas.mark(end, heads[int(push[0] < 0) if across else 2 + int(push[1] < 0)], "bad")
     for point in points[:-1]:
         canvas.mark(point, joint, "joint")
     if reference is not None:

@@ -118,7 +118,7 @@ class ArmStation(Station):
         self.plot = next(iter(PLOTS))
         self.playing = False
         self.fault = ""
-        self.lab_of_arm: Lab
+        self.bench: Lab
         self.force: tuple[float, float, float] | None = None
         self._until = 0.0
         self._pulled: tuple[str, float, float] | None = None
@@ -164,10 +164,9 @@ class ArmStation(Station):
         }  # fmt: skip
 
     def restore(self, state: dict[str, Any]) -> None:
-        if state.get("limb") in self.robot.limbs:
-            self.limb = self.robot.limbs[state["limb"]]
-        if state.get("plot") in PLOTS:
-            self.plot = state["plot"]
+        self.limb = self.robot.limbs.get(str(state.get("limb")), self.limb)
+        if str(state.get("plot")) in PLOTS:
+            self.plot = str(state["plot"])
         if state.get("joint") in range(len(self.limb.joints)):
             self.joint = state["joint"]
         if isinstance(state.get("newtons"), int | float) and 0 <= state["newtons"] <= DIALS["push"][1]:
@@ -191,15 +190,15 @@ class ArmStation(Station):
 
     def _put_back(self) -> None:
         """The arm at the beginning of its line, with the gains of now."""
-        if hasattr(self, "lab_of_arm"):
-            self.lab_of_arm.close()
-        self.lab_of_arm = Lab(self.robot, self.limb, there_and_back(self.limb), self.settings)
+        if hasattr(self, "bench"):
+            self.bench.close()
+        self.bench = Lab(self.robot, self.limb, there_and_back(self.limb), self.settings)
         self.fault, self.force, self._pulled, self._owed = "", None, None, 0.0
         self._show_settings()
         self.relabel()
 
     def _set(self, settings: Settings) -> None:
-        self.settings = self.lab_of_arm.settings = settings
+        self.settings = self.bench.settings = settings
         self._show_settings()
         self._summarise()
         self._show()
@@ -239,7 +238,7 @@ class ArmStation(Station):
 
     def _run(self, cycles: int) -> None:
         """Let the arm go on by cycles; when it runs away it is stopped, and says so."""
-        lab = self.lab_of_arm
+        lab = self.bench
         for _ in range(cycles):
             if self._pulled and lab.moments:
                 view, x, y = self._pulled
@@ -266,18 +265,18 @@ class ArmStation(Station):
         for view in self.query(ArmView):
             view.redraw()
         line = self.query_one("#facts", Static)
-        line.update(fitting(facts(self.say, self.lab_of_arm), line.size.width))
+        line.update(fitting(facts(self.say, self.bench), line.size.width))
         if not plots:
             return
         for name in PLOTS:
             plot = self.query_one(f"#{name}", Plot)
             if plot.region.width:
-                plot.plot(curves(self.say, self.lab_of_arm, name, self.joint))
+                plot.plot(curves(self.say, self.bench, name, self.joint))
 
     # Pictures.
 
     def _draw(self, view: str, columns: int, rows: int, ascii_only: bool) -> Canvas:
-        lab = self.lab_of_arm
+        lab = self.bench
         angles = (
             lab.moments[-1].angles if lab.moments else {"real": lab.track.q[0], "reference": lab.track.q[0]}
         )
@@ -301,6 +300,10 @@ class ArmStation(Station):
     def _chosen(self, event: Select.Changed) -> None:
         event.stop()
         name, box = str(event.value), event.select.id
+        # A list tells of its first value after what was kept has taken its place.
+        if event.value != event.select.value:
+            return
+        self.query_one("#side").focus()
         if box == "limb":
             self.limb = self.robot.limbs[name]
             self._put_back()
@@ -349,7 +352,7 @@ class ArmStation(Station):
         """Push the hand for a moment; the arm goes on."""
         x, y, z = (DIRECTIONS[way] * self.newtons).tolist()
         self.force = (x, y, z)
-        moments = self.lab_of_arm.moments
+        moments = self.bench.moments
         self._until = (moments[-1].t if moments else 0.0) + PULSE
         if not self.playing:
             self.action_play()
@@ -410,4 +413,4 @@ class ArmStation(Station):
         self.call_after_refresh(self._show, plots=True)
 
     def on_unmount(self) -> None:
-        self.lab_of_arm.close()
+        self.bench.close()

@@ -1,12 +1,15 @@
 """The Gait stage: a walk that is played, stopped, stepped, and walked on emulated servos meanwhile."""
 
 import time
+from functools import partial
+from textwrap import wrap
 from typing import Any
 
 import numpy as np
 from textual import on, work
 from textual.app import ComposeResult
 from textual.containers import Horizontal, Vertical
+from textual.timer import Timer
 from textual.widgets import Select, Static
 from textual.worker import get_current_worker
 
@@ -30,6 +33,8 @@ from kinlab.tui.widgets import Choice, Dial, Picture, Plot
 EVERY = 0.05  # s between pictures
 # A picture that comes late moves the walk on by no more than this, s.
 LATEST = 0.2
+# How long nothing may change before the rig takes up a walk, s: a slider that is dragged makes many.
+QUIET = 0.2
 # Ticks of the rig that one picture may wait for, and pictures from one power curve to the next.
 TICKS, POWER_EVERY = 10, 5
 POINTS = 120  # of a curve
@@ -75,7 +80,7 @@ class GaitStation(Station):
         &.page-servos { #swing, #top { display: none; } }
         &.-narrow {
             Transport { display: none; }
-            #left { width: 31; }
+            #left { width: 33; }
             .row NumberField { width: 6; }
         }
         &.-wide {
@@ -96,9 +101,7 @@ class GaitStation(Station):
 
     def __init__(self) -> None:
         super().__init__()
-        self.robots = {
-            name: robot for name, robot in load_robots().items() if robot.legs and gaits_for(robot)
-        }
+        self.robots = {name: robot for name, robot in load_robots().items() if _walks(robot)}
         self.robot: Robot = next(iter(self.robots.values()))
         self.gait_name = find_gait(self.robot).name
         self.speed_mm_s, self.turn_deg_s = SPEED * 1000, 0.0
@@ -109,6 +112,7 @@ class GaitStation(Station):
         self.cycle: Cycle
         self.mill: Treadmill | None = None
         self.mill_problem = ""
+        self._settling: Timer | None = None
         self._seen = 0.0
         self._facts = ""
         self._pictures = 0
@@ -171,24 +175,30 @@ class GaitStation(Station):
 
     # The walk.
 
-    def _plan(self, robot: Robot, gait: str, speed: float, turn: float) -> Walk:
+    def _plan(self, robot: Robot, gait: str | None, speed: float, turn: float) -> Walk:
         return plan(robot, find_gait(robot, gait), forward=speed / 1000, turn=float(np.radians(turn)))
 
-    def _use(self, robot: Robot, gait: str) -> None:
+    def _use(self, robot: Robot, gait: str | None = None) -> None:
         """Take another robot or gait; where it cannot go as fast, at the speed that every robot starts with."""
+        problem = ""
         try:
             self._walk(robot, gait, self.speed_mm_s, self.turn_deg_s)
         except KinlabError:
-            self._walk(robot, gait, SPEED * 1000, 0.0)
-        legs = [leg.name for leg in robot.legs]
-        self.query_one("#robot", Choice).put(robot.name)
-        self.query_one("#gait", Choice).offer(gaits_for(robot), self.gait_name)
+            try:
+                self._walk(robot, gait, SPEED * 1000, 0.0)
+            except KinlabError as error:
+                problem = str(error)
+        legs = [leg.name for leg in self.robot.legs]
+        self.query_one("#robot", Choice).put(self.robot.name)
+        self.query_one("#gait", Choice).offer(gaits_for(self.robot), self.gait_name)
         self.query_one("#leg", Choice).offer(legs, legs[self.leg])
         fastest = self.cycle.limits.fastest or FAST
         self.query_one("#speed", Dial).span(-round(fastest * 1000), round(fastest * 1000), 1)
         self.relabel()
+        if problem:
+            self.tell("bad", problem)
 
-    def _walk(self, robot: Robot, gait: str, speed: float, turn: float) -> None:
+    def _walk(self, robot: Robot, gait: str | None, speed: float, turn: float) -> None:
         """Show another walk at the same share of its cycle.
 
         Raises:
@@ -221,8 +231,12 @@ class GaitStation(Station):
     def _chosen(self, event: Select.Changed) -> None:
         event.stop()
         name, box = str(event.value), event.select.id
+        # A list tells of its first value after what was kept has taken its place.
+        if event.value != event.select.value:
+            return
+        self.query_one("#diagram").focus()
         if box == "robot":
-            self._use(self.robots[name], find_gait(self.robots[name]).name)
+            self._use(self.robots[name])
         elif box == "gait":
             self._use(self.robot, name)
         else:
@@ -252,7 +266,9 @@ class GaitStation(Station):
         """Let the emulated robot walk another walk."""
         self._leave_mill()
         self.mill_problem = ""
-        self._open_mill(walk)
+        if self._settling is not None:
+            self._settling.stop()
+        self._settling = self.set_timer(QUIET, partial(self._open_mill, walk))
 
     def _leave_mill(self) -> None:
         if self.mill is not None:
@@ -318,14 +334,14 @@ class GaitStation(Station):
         for name in ("#top", "#swing"):
             self.query_one(name, Picture).redraw()
         sample = self.sample
+        facts = self.query_one("#facts", Static)
         lines = [walking(self.say, cycle, frame), pace(self.say, cycle, frame)]
         if self.mill_problem:
-            lines.append([self.say("facts.no_rig", why=self.mill_problem)])
+            lines = _beside(lines, self.say("facts.no_rig", why=self.mill_problem), facts.size.width)
         elif self.mill is None or sample is None:
             lines.append([self.say("facts.measuring")])
         else:
             lines.append(costs(self.say, self.mill, sample))
-        facts = self.query_one("#facts", Static)
         text = "\n".join(fitting(line, facts.size.width) for line in lines)
         if text != self._facts:
             self._facts = text
@@ -425,7 +441,7 @@ class GaitStation(Station):
         """Take the next robot that walks."""
         names = list(self.robots)
         robot = self.robots[names[(names.index(self.robot.name) + 1) % len(names)]]
-        self._use(robot, find_gait(robot).name)
+        self._use(robot)
 
     def action_next_leg(self) -> None:
         """See the swing of the next leg."""
@@ -444,3 +460,18 @@ class GaitStation(Station):
 
     def on_unmount(self) -> None:
         self._leave_mill()
+
+
+def _walks(robot: Robot) -> bool:
+    """Whether there is a gait for its legs."""
+    try:
+        find_gait(robot)
+    except KinlabError:
+        return False
+    return True
+
+
+def _beside(lines: list[list[str]], sentence: str, width: int) -> list[list[str]]:
+    """Three lines: those there are and a sentence, which takes the place of the second where it is long."""
+    folded = wrap(sentence, max(width, 20))
+    return [*lines[: max(3 - len(folded), 1)], *([part] for part in folded[:2])]

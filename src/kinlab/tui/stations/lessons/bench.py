@@ -162,7 +162,11 @@ class BytesBench(Vertical):
             lines = field_lines(found) if whole else []
             for part in found.fields if not whole else ():
                 style = style_of(part.name)
-                row = [("dim", f"{part.offset:>3}  "), (style, f"{show_hex(part.data):<15} "), (style, part.name)]
+                row = [
+                    ("dim", f"{part.offset:>3}  "),
+                    (style, f"{show_hex(part.data):<15} "),
+                    (style, part.name),
+                ]
                 lines.append(row)
         self.query_one("#bytes", Sheet).put(lines)
 
@@ -188,4 +192,3 @@ class Bench(Vertical):
         """Put an instrument there; "" for none."""
         for each in self.KINDS:
             self.set_class(each == kind, each)
-

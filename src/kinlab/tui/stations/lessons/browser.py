@@ -41,6 +41,11 @@ class Row:
     facts: str
     about: tuple[Block, ...]
 
+    @property
+    def sought(self) -> str:
+        """In which words are looked for."""
+        return " ".join((self.id, self.title, *(block.markdown for block in self.about))).casefold()
+
 
 class Search(Input):
     """Words to look for. Down and Enter go to the list, Escape gives up."""
@@ -146,7 +151,7 @@ class Browser(Vertical):
             row
             for row in self.rows
             if (not self.only_open or row.standing in ("open", "begun", "broken"))
-            and all(word in " ".join((row.id, row.title, *(b.markdown for b in row.about))).casefold() for word in words)
+            and all(word in row.sought for word in words)
         ]
         found = self.query_one(List)
         found.clear_options()
@@ -168,7 +173,9 @@ class Browser(Vertical):
 
     def _tell(self) -> None:
         at = self.query_one(List).highlighted
-        self.query_one("#about-text", Flow).put(*(self._shown[at].about if at is not None and self._shown else ()))
+        self.query_one("#about-text", Flow).put(
+            *(self._shown[at].about if at is not None and self._shown else ())
+        )
         self.query_one("#about", VerticalScroll).scroll_home(animate=False)
 
     @on(List.Widened)

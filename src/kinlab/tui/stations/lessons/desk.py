@@ -30,7 +30,11 @@ class Desk(Vertical):
         Marks { padding: 0 1; background: $surface; }
         #verdict { padding: 0 1; max-height: 6; }
         Prompt { display: none; }
-        &.-state { Prompt, #talk { display: block; } Reply { display: none; } #asked { height: auto; max-height: 50%; } }
+        &.-state {
+            Prompt, #talk { display: block; }
+            Reply { display: none; }
+            #asked { height: auto; max-height: 50%; }
+        }
         &.-choice #typing { display: none; }
     }
     """

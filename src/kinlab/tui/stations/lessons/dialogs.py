@@ -91,7 +91,9 @@ class Sure(ModalScreen[bool]):
         with Vertical():
             yield Static(self._text, classes="head", markup=False)
             yield OptionList(
-                *(Content(self._station.say(f"sure.{each}")) for each in ("no", "yes")), compact=True, markup=False
+                *(Content(self._station.say(f"sure.{each}")) for each in ("no", "yes")),
+                compact=True,
+                markup=False,
             )
 
     def on_mount(self) -> None:

@@ -139,7 +139,9 @@ class Options(OptionList):
         """Letters that choose."""
         return character in self._labels
 
-    def put(self, offered: Mapping[str, str], said: Mapping[str, str], *, plain: bool, ascii_only: bool) -> None:
+    def put(
+        self, offered: Mapping[str, str], said: Mapping[str, str], *, plain: bool, ascii_only: bool
+    ) -> None:
         """Show them.
 
         Args:

@@ -60,7 +60,9 @@ class Seat:
         at: which of them is open.
     """
 
-    def __init__(self, sitting: Sitting, at: int | None = None, tables: dict[str, Table] | None = None) -> None:
+    def __init__(
+        self, sitting: Sitting, at: int | None = None, tables: dict[str, Table] | None = None
+    ) -> None:
         """Sit down.
 
         Args:
@@ -73,7 +75,9 @@ class Seat:
         """
         self.sitting = sitting
         self.steps: list[Step] = sitting.steps()
-        begin = next((i for i, s in enumerate(self.steps) if s.task and s.task.exercise.id in sitting.open), 0)
+        begin = next(
+            (i for i, s in enumerate(self.steps) if s.task and s.task.exercise.id in sitting.open), 0
+        )
         self.at = begin if at is None else min(at, len(self.steps) - 1)
         self.tables = tables or {}
         for table in self.tables.values():
@@ -171,7 +175,7 @@ class Seat:
         return "leg" if self.sitting.lesson.robot else ""
 
     def limb(self) -> tuple[Limb, Array, Array | None]:
-        """The limb that the exercise is about, a pose (n,), rad, and its target (3,), metres; None where it has none."""
+        """The limb that the exercise is about, a pose (n,), rad, and a target (3,), metres, if there is one."""
         answer = self.task.answer if self.task else None
         if isinstance(answer, Reach) and answer.limb is not None:
             limb, target = answer.limb, np.array(answer.target_mm) / 1000

@@ -91,6 +91,7 @@ class LessonsStation(Station):
         self.seat: Seat | None = None
         self.view = VIEWS[0]
         self._kept: dict[str, Any] = {}
+        self._informed: tuple[str, str, dict[str, object]] = ("note", "reading", {})
         self._order = asyncio.Lock()  # what is asked of the core goes there in the order of asking
 
     def compose_body(self) -> ComposeResult:
@@ -120,7 +121,6 @@ class LessonsStation(Station):
 
     def ready(self) -> None:
         self.relabel()
-        self.tell("note", self.say("reading"))
         self.ask(self._begin, self._begun)
 
     def _begin(self) -> tuple[Course, Progress]:
@@ -138,7 +138,7 @@ class LessonsStation(Station):
         if lesson in self.course.lessons:
             self.open_lesson(str(lesson), step if isinstance(step, int) and step >= 0 else None)
         else:
-            self.tell("note", self.say("welcome"))
+            self.inform("note", "welcome")
             self.query_one(List).focus()
         self._name_damage()
 
@@ -156,13 +156,15 @@ class LessonsStation(Station):
 
         self.run_worker(run(), group="lessons")
 
+    def inform(self, kind: str, key: str, **values: object) -> None:
+        """Put a text of the words on the message line; it follows the language."""
+        self._informed = kind, key, values
+        self.tell(kind, self.say(key, **values))
+
     def _name_damage(self) -> None:
         """Say, once, where a damaged file of progress went."""
         if self.progress is not None and self.progress.set_aside is not None:
-            self.tell(
-                "warn",
-                self.say("damaged", aside=self.progress.set_aside, count=len(self.progress.events)),
-            )
+            self.inform("warn", "damaged", aside=self.progress.set_aside, count=len(self.progress.events))
             self.progress.set_aside = None
 
     # The list.
@@ -192,7 +194,7 @@ class LessonsStation(Station):
         self._arrive()
         lesson = seat.sitting.lesson
         done = len(seat.sitting.tasks) - len(seat.sitting.open)
-        self.tell("note", self.say("head", minutes=lesson.minutes, count=len(seat.sitting.tasks), solved=done))
+        self.inform("note", "head", minutes=lesson.minutes, count=len(seat.sitting.tasks), solved=done)
         self._name_damage()
 
     # A step.
@@ -202,7 +204,7 @@ class LessonsStation(Station):
         if self.seat is not None and 0 <= step < len(self.seat.steps):
             self.seat.at = step
             self._arrive()
-            self.tell("note", self.say("end" if self.seat.task is None else "read_first"))
+            self.inform("note", "end" if self.seat.task is None else "read_first")
 
     def _arrive(self) -> None:
         """Show the step of now from its beginning."""
@@ -230,7 +232,9 @@ class LessonsStation(Station):
         self.query_one(Page).flow.put(*telling.page(course, seat, self.say), fresh=True)
         kind = task.exercise.kind if task else ""
         desk.ask(kind, self._sign(table))
-        desk.reply.placeholder = self.say(f"placeholder.{kind}") if task and not desk.has_class("-state") else ""
+        desk.reply.placeholder = (
+            self.say(f"placeholder.{kind}") if task and not desk.has_class("-state") else ""
+        )
         desk.reply.put(table.reply)
         if table.bench is not None:
             desk.prompt.session = table.bench.session
@@ -261,9 +265,7 @@ class LessonsStation(Station):
         """Give the keys to what is read, or to what is answered."""
         if self.seat is None:
             self.query_one(List).focus()
-        elif self.view == "text" and not self.has_class("-beside"):
-            self.query_one(Page).focus()
-        elif self.seat.task is None:
+        elif self.seat.task is None or (self.view == "text" and not self.has_class("-beside")):
             self.query_one(Page).focus()
         else:
             self.query_one(Desk).begin()
@@ -348,15 +350,15 @@ class LessonsStation(Station):
             return
         now = seat.sitting.standing(seat.name)
         if verdict.ok:
-            self.tell("good", self.say("go_on"))
+            self.inform("good", "go_on")
         elif not verdict.counts:
-            self.tell("warn", self.say("no_try"))
+            self.inform("warn", "no_try")
         elif now.may_see_solution:
-            self.tell("bad", self.say("offer_solution", tries=now.tries))
+            self.inform("bad", "offer_solution", tries=now.tries)
         elif now.hints < len(seat.task.hints):
-            self.tell("bad", self.say("offer_hint", tries=now.tries, left=TRIES_BEFORE_SOLUTION - now.tries))
+            self.inform("bad", "offer_hint", tries=now.tries, left=TRIES_BEFORE_SOLUTION - now.tries)
         else:
-            self.tell("bad", self.say("again_please", tries=now.tries, left=TRIES_BEFORE_SOLUTION - now.tries))
+            self.inform("bad", "again_please", tries=now.tries, left=TRIES_BEFORE_SOLUTION - now.tries)
         self._name_damage()
 
     @on(Reply.Typed)
@@ -447,6 +449,8 @@ class LessonsStation(Station):
 
     def relabel(self) -> None:
         self._list()
+        kind, key, values = self._informed
+        self.inform(kind, key, **values)
         seat = self.seat
         if seat is None:
             return
@@ -454,7 +458,9 @@ class LessonsStation(Station):
             course, progress, tongue = self.course, self.progress, self.lab.tongue
             name, at, tables = seat.sitting.lesson.id, seat.at, seat.tables
             if course is not None and progress is not None:
-                self.ask(lambda: Seat(Sitting(course.lesson(name), progress, tongue), at, tables), self._translated)
+                self.ask(
+                    lambda: Seat(Sitting(course.lesson(name), progress, tongue), at, tables), self._translated
+                )
 
     def _translated(self, seat: Seat) -> None:
         self.seat = seat
@@ -490,7 +496,7 @@ class LessonsStation(Station):
             return
         table, known = seat.table, len(seat.sitting.hints(seat.name))
         if not seat.task.hints:
-            self.tell("note", self.say("no_hints"))
+            self.inform("note", "no_hints")
             return
 
         def shown(_: object) -> None:
@@ -524,11 +530,11 @@ class LessonsStation(Station):
             now = seat.sitting.standing(seat.name)
             if text is None:
                 left = TRIES_BEFORE_SOLUTION - now.tries
-                self.tell("warn", self.say("no_solution", tries=TRIES_BEFORE_SOLUTION, left=left))
+                self.inform("warn", "no_solution", tries=TRIES_BEFORE_SOLUTION, left=left)
                 return
             seat.table.solution = text
             self._aided()
-            self.tell("note", self.say("marked_shown" if now.shown else "solved_before"))
+            self.inform("note", "marked_shown" if now.shown else "solved_before")
 
         self.ask(lambda: seat.sitting.solution(seat.name), shown)
 
@@ -546,7 +552,7 @@ class LessonsStation(Station):
         following = self.course.next_for(self.progress)
         if following is None:
             self.action_contents()
-            self.tell("good", self.say("course_finished"))
+            self.inform("good", "course_finished")
         else:
             self.open_lesson(following.id)
 
@@ -571,7 +577,7 @@ class LessonsStation(Station):
         seat = self.seat
         if seat is not None:
             self.ask(lambda: seat.open_bench(fresh=True), lambda _: self._judged(None))
-            self.tell("note", self.say("set_up"))
+            self.inform("note", "set_up")
 
     def action_contents(self) -> None:
         """Go back to the list."""
@@ -580,7 +586,7 @@ class LessonsStation(Station):
         self.remove_class("-lesson", "-end", "-benched")
         self.refresh_bindings()
         self._focus()
-        self.tell("note", self.say("welcome"))
+        self.inform("note", "welcome")
 
     def action_scroll(self, pages: int) -> None:
         """Scroll what is read."""
@@ -598,7 +604,7 @@ class LessonsStation(Station):
         browser = self.query_one(Browser)
         browser.only_open = not browser.only_open
         self._list()
-        self.tell("note", self.say("only_open" if browser.only_open else "all_lessons"))
+        self.inform("note", "only_open" if browser.only_open else "all_lessons")
 
     def action_profile(self) -> None:
         """Choose whose progress it is."""
@@ -614,7 +620,7 @@ class LessonsStation(Station):
     def _with_progress(self, progress: Progress) -> None:
         self.progress = progress
         self._list()
-        self.tell("good", self.say("profile_is", profile=progress.profile))
+        self.inform("good", "profile_is", profile=progress.profile)
         self._name_damage()
 
     def action_reset(self) -> None:
@@ -627,7 +633,9 @@ class LessonsStation(Station):
             return
         lesson = course.lesson(name)
         each = [progress.standing(lesson.id, lesson.version, e.id) for e in lesson.exercises]
-        text = self.say("reset_sure", title=lesson.title(self.lab.tongue), count=sum(now.done for now in each))
+        text = self.say(
+            "reset_sure", title=lesson.title(self.lab.tongue), count=sum(now.done for now in each)
+        )
         self.app.push_screen(Sure(self, text), lambda sure: self._reset(name) if sure else None)
 
     def _reset(self, name: str) -> None:
@@ -644,6 +652,6 @@ class LessonsStation(Station):
             if self.seat is not None:
                 self._sit(seat)
             self._list()
-            self.tell("good", self.say("reset_done"))
+            self.inform("good", "reset_done")
 
         self.ask(reset, done)

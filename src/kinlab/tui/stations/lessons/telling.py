@@ -49,7 +49,9 @@ def _about(course: Course, lesson: Lesson, progress: Progress, language: str, sa
     lines = [Block(f"{say('goals')}\n{goals}")]
     facts = []
     if lesson.prerequisites:
-        titles = (course.lessons[p].title(language) if p in course.lessons else p for p in lesson.prerequisites)
+        titles = (
+            course.lessons[p].title(language) if p in course.lessons else p for p in lesson.prerequisites
+        )
         facts.append(say("after", lessons=", ".join(titles)))
     if lesson.robot:
         facts.append(say("robot", robot=lesson.robot))
@@ -104,7 +106,11 @@ def question(seat: Seat, say: Say) -> list[Block]:
         return []
     now = seat.sitting.standing(seat.name)
     head = seat.sitting.say("talk.exercise", number=seat.at + 1, count=len(seat.sitting.tasks))
-    state = {"solved": say("solved"), "shown": say("shown"), "open": say("tries", count=now.tries) if now.tries else ""}
+    state = {
+        "solved": say("solved"),
+        "shown": say("shown"),
+        "open": say("tries", count=now.tries) if now.tries else "",
+    }
     found = [Block(f"{head}  {state[now.status]}".rstrip(), style=TITLE)]
     return [*found, *_asked(seat, step, say)]
 

@@ -1,5 +1,6 @@
 """The Packet station: a packet byte by byte, what it does to a servo, and what goes wrong on the way."""
 
+import asyncio
 import time
 from typing import Any
 
@@ -12,14 +13,16 @@ from textual.widgets import Input, Select, Static
 
 from kinlab.dynamixel.codec.hextext import show_hex
 from kinlab.dynamixel.outfit import known_chains
-from kinlab.dynamixel.sandbox import Outcome, Session, execute
-from kinlab.dynamixel.sandbox.inspection import elapse, faults, holdings, revival, silence
+from kinlab.dynamixel.sandbox import Outcome, Session, execute, run_script
+from kinlab.dynamixel.sandbox.commands import read_script
+from kinlab.dynamixel.sandbox.inspection import elapse, holdings, revival, silence
 from kinlab.dynamixel.sandbox.prompting import hint, preview
 from kinlab.dynamixel.sandbox.session import DEFAULT_CHAIN, Line
-from kinlab.dynamixel.sandbox.wire import exchange_lines, speed
+from kinlab.dynamixel.sandbox.wire import exchange_lines
 from kinlab.errors import KinlabError
-from kinlab.tui.actions import Action
 from kinlab.tui.station import Station
+from kinlab.tui.stations.packet.actions import ACTIONS
+from kinlab.tui.stations.packet.condition import conditions
 from kinlab.tui.stations.packet.prompt import Prompt
 from kinlab.tui.stations.packet.registers import COLUMNS, Registers
 from kinlab.tui.stations.packet.sheet import Sheet
@@ -43,19 +46,7 @@ class PacketStation(Station):
     """
 
     NAME = "packet"
-    ACTIONS = (
-        Action("revive", "ctrl+r,p", priority=False),
-        Action("assemble", "f7,a"),
-        Action("send", "f8,s"),
-        Action("faults", "f9,f"),
-        Action("view", "f10,v"),
-        Action("next_servo", "ctrl+o,n"),
-        Action("next_chain", "ctrl+g,c", shown=False),
-        Action("line", "i,colon", shown=False),
-        Action("back", "backspace", shown=False),
-        Action("hold", "ctrl+y,t", shown=False),
-        Action("scroll", "pageup,pagedown", each=("scroll(-1)", "scroll(1)"), shown=False),
-    )
+    ACTIONS = ACTIONS
     AUTO_FOCUS = "Prompt"
     CSS = """
     PacketStation {
@@ -205,15 +196,8 @@ class PacketStation(Station):
 
     def _show_condition(self) -> None:
         """Supply, speed and faults, and whether anybody can still answer."""
-        wrong = [
-            f"{self.say(f'short.{fault.name}')} {fault.detail}".strip()
-            for fault in faults(self.session, self.servo)
-            if fault.on and fault.name != "power"
-        ]
-        parts = [self.say("held")] if self.held else []
-        parts += wrong or [self.say("clean")]
-        parts += [f"{self.session.emulated.supply.volts:g} V", speed(self.session.port.baud)]
-        self.query_one("#condition", Static).update(Content(", ".join(parts)))
+        text = ", ".join(conditions(self.session, self.servo, self.say, held=self.held))
+        self.query_one("#condition", Static).update(Content(text))
         why = silence(self.session)
         if self.has_class("-silent") != bool(why):
             self.set_class(bool(why), "-silent")
@@ -235,28 +219,58 @@ class PacketStation(Station):
 
     def carry_out(self, line: str) -> None:
         """Carry out a line of the sandbox, and show what it led to; a wrong one leaves all as it is."""
-        outcome = Outcome()
-        before = (self.session.chain_text, self.session.ids())
+        verb, _, rest = line.strip().partition(" ")
+        if verb == "load" and rest:
+            self.run_worker(self._carry_out_file(rest.strip()), group="script", exclusive=True)
+            return
+        before, done, wrong = self._chain(), [], ""
         try:
             for part in line.split(";"):
-                done = execute(self.session, part)
-                outcome = Outcome(outcome.ok and done.ok, outcome.lines + done.lines, done.data)
+                done.append(execute(self.session, part))
         except KinlabError as error:
-            self.tell("bad", str(error).splitlines()[0])
-            ok = False
-        else:
-            ok = True
-            if outcome.lines:
-                upshot = "".join(text for _, text in outcome.lines[-1]).strip()
-                self.tell("good" if outcome.ok else "bad", upshot)
-        if outcome.lines and (ok or "exchange" in outcome.data):
-            self._lines = outcome.lines
-        if before != (self.session.chain_text, self.session.ids()):
+            wrong = str(error)
+        self._show_done(done, wrong, before)
+
+    async def _carry_out_file(self, name: str) -> None:
+        """Carry out a file, line by line; whoever types meanwhile stops it."""
+        self.tell("note", self.say("loading", file=name))
+        before, done, wrong = self._chain(), [], self.say("stopped", file=name)
+        try:
+            for outcome in run_script(self.session, read_script(name)):
+                done.append(outcome)
+                await asyncio.sleep(0)
+            wrong = ""
+        except KinlabError as error:
+            wrong = str(error)
+        finally:
+            if self.is_running:
+                self._show_done(done, wrong, before)
+
+    def _chain(self) -> tuple[str, list[int]]:
+        return self.session.chain_text, self.session.ids()
+
+    def _show_done(self, done: list[Outcome], wrong: str, before: tuple[str, list[int]]) -> None:
+        """Show what lines led to.
+
+        Args:
+            wrong: what ended them; "" where they came to their end.
+            before: the chain as it was.
+        """
+        lines = [line for outcome in done for line in outcome.lines]
+        exchange = next((o.data["exchange"] for o in reversed(done) if "exchange" in o.data), None)
+        if lines and (exchange or not wrong):
+            self._lines = lines
+        if wrong:
+            self.tell("bad", wrong.splitlines()[0])
+        elif lines:
+            upshot = "".join(text for _, text in lines[-1]).strip()
+            self.tell("good" if all(outcome.ok for outcome in done) else "bad", upshot)
+        if before != self._chain():
             self._meet_chain()
         self.query_one(Traffic).put(self.session)
         self._show_registers()
-        if "exchange" in outcome.data:
-            self._follow(outcome.data["exchange"])
+        if exchange:
+            self._follow(exchange)
         self._show_packet()
         self._show_hint()
         self._show_condition()
@@ -351,6 +365,7 @@ class PacketStation(Station):
 
     @on(Prompt.Entered)
     def _entered(self, event: Prompt.Entered) -> None:
+        self.workers.cancel_group(self, "script")
         if event.line.strip():
             self._show("packet")
             self.carry_out(event.line)
@@ -374,7 +389,8 @@ class PacketStation(Station):
 
     @on(Select.Changed, "#chain")
     def _other_chain(self, event: Select.Changed) -> None:
-        if event.value == self.session.chain_text:
+        # A list tells of its first value as well, when that may have changed already.
+        if event.value != event.select.value or event.value == self.session.chain_text:
             return
         self.carry_out(f"chain {event.value}")
         self._lines = None
@@ -383,7 +399,8 @@ class PacketStation(Station):
 
     @on(Select.Changed, "#servo")
     def _other_servo(self, event: Select.Changed) -> None:
-        self._look_at(int(str(event.value).split()[0]))
+        if event.value == event.select.value:
+            self._look_at(int(str(event.value).split()[0]))
 
     @on(Tabs.Chosen)
     def _other_view(self, event: Tabs.Chosen) -> None:

@@ -40,11 +40,12 @@ class Traffic(OptionList):
     def put(self, session: Session) -> None:
         """Show the session's exchanges, if there are new ones."""
         exchanges = list(session.exchanges)
-        known = len(self._shown)
-        fresh = exchanges[known:]
-        if exchanges[:known] != self._shown:
-            self.clear_options()
-            fresh = exchanges
+        first = exchanges[0] if exchanges else None
+        # The oldest ones are forgotten as new ones come.
+        gone = next((i for i, shown in enumerate(self._shown) if shown is first), len(self._shown))
+        for _ in range(gone):
+            self.remove_option_at_index(0)
+        fresh = exchanges[len(self._shown) - gone :]
         self._session, self._shown = session, exchanges
         if fresh:
             self.add_options([self._row(exchange) for exchange in fresh])

@@ -1,4 +1,4 @@
-"""What the station asks the core, and what it gets: in a thread of its own, one question at a time."""
+"""What the station gets from the core: in a thread of its own, one question at a time."""
 
 from dataclasses import dataclass
 
@@ -6,42 +6,22 @@ import numpy as np
 
 from kinlab.kinematics.transforms import Array
 from kinlab.papers.path import WholePath, whole_path
+from kinlab.papers.tour import first_target
 from kinlab.rig.bench import LimbBench, bench_of
-from kinlab.robots import Limb, Robot
+from kinlab.robots import Limb
 from kinlab.robots.views import SIDE, TOP, View, size_of, view
-
-
-@dataclass(frozen=True, eq=False)
-class Question:
-    """What a person has set.
-
-    Attributes:
-        target: (3,), metres, limb frame.
-        rpy: attitude (3,), rad; None for limbs that cannot choose it.
-        q: joint angles (n,), rad, where the path begins at them; else None.
-        frame: in which places are shown.
-        solution: the name of the wished one.
-        powered: whether the emulated chain has its supply.
-    """
-
-    robot: Robot
-    limb: Limb
-    target: Array
-    rpy: Array | None
-    q: Array | None
-    frame: str
-    solution: str
-    powered: bool
+from kinlab.tui.stations.robot.question import Question
 
 
 @dataclass(frozen=True, eq=False)
 class Answer:
-    """The path, and the planes in which it is seen."""
+    """The path, the planes in which it is seen, and the box (2, 3), metres, limb frame, that holds the limb."""
 
     question: Question
     path: WholePath
     side: View
     top: View
+    box: Array
 
 
 class Asker:
@@ -51,18 +31,19 @@ class Asker:
         self._limb: Limb | None = None
         self._bench: LimbBench | None = None
         self._no_bench = ""
-        self.box = np.zeros((2, 3))
+        self._box = np.zeros((2, 3))
 
     def ask(self, question: Question) -> Answer:
         """Walk the path."""
         limb = question.limb
         if limb is not self._limb:
-            self._limb, self.box = limb, size_of(limb)
+            self._limb, self._box = limb, size_of(limb)
             self._bench, self._no_bench = bench_of(question.robot, limb)
         if self._bench is not None and self._bench.powered != question.powered:
             self._bench.power(question.powered)
         # The frame of the target is the limb's; `frame` is how the answer is shown.
-        target = limb.from_limb(question.target, question.frame)
+        begin = first_target(question.robot, limb) if question.target is None else question.target
+        target = limb.from_limb(begin, question.frame)
         path = whole_path(
             question.robot,
             limb,
@@ -75,5 +56,5 @@ class Asker:
             no_bench=self._no_bench,
         )
         place, attitude = path.answer.target, path.answer.rotation
-        side, top = (view(limb, name, place, self.box, attitude) for name in (SIDE, TOP))
-        return Answer(question, path, side, top)
+        side, top = (view(limb, name, place, self._box, attitude) for name in (SIDE, TOP))
+        return Answer(question, path, side, top, self._box)

@@ -1,15 +1,19 @@
 """The dials: a target, or the joints' angles; and which solution is sent on."""
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 from textual.app import ComposeResult
 from textual.containers import VerticalScroll
 
 from kinlab.kinematics.transforms import Array
 from kinlab.robots import Limb
-from kinlab.tui.stations.robot.asking import Answer
-from kinlab.tui.stations.robot.table import Say, short, solution_name
+from kinlab.tui.stations.robot.naming import Say, short, solution_name
 from kinlab.tui.widgets import Choice, Dial
 from kinlab.units import FARTHEST, to_metres, to_mm
+
+if TYPE_CHECKING:
+    from kinlab.tui.stations.robot.asking import Answer
 
 MOST_JOINTS = 6
 PLACES = ("x", "y", "z")
@@ -36,12 +40,17 @@ class Form(VerticalScroll, can_focus=False):
         super().__init__()
         self._dials = [Dial(id=f"dial{i}", widest=(-FARTHEST_MM, FARTHEST_MM)) for i in range(MOST_JOINTS)]
 
+        for dial, name in zip(self._dials, PLACES, strict=False):
+            dial.label(name)
+
     def compose(self) -> ComposeResult:
-        yield from self._dials
+        # Most limbs have three numbers to give: the other dials are there when they are needed.
+        yield from self._dials[: len(PLACES)]
         yield Choice(("-",), "-", id="solution")
 
     def begin(self) -> None:
         """Wait for the first number."""
+        self._use(len(PLACES))
         self._dials[0].field.focus()
 
     def _dress(self, i: int, name: str, unit: str, span: tuple[float, float], number: float) -> None:
@@ -51,6 +60,9 @@ class Form(VerticalScroll, can_focus=False):
         dial.show(number)
 
     def _use(self, count: int) -> None:
+        new = [dial for dial in self._dials[:count] if dial.parent is None]
+        if new:
+            self.mount(*new, before="#solution")
         for i, dial in enumerate(self._dials):
             dial.display = i < count
 
@@ -89,7 +101,7 @@ class Form(VerticalScroll, can_focus=False):
         """The joint angles that they give (n,), rad."""
         return np.radians([dial.number for dial in self._dials[:count]])
 
-    def offer_solutions(self, answer: Answer, say: Say) -> None:
+    def offer_solutions(self, answer: "Answer", say: Say) -> None:
         """The solutions to choose from."""
         poses = [pose for pose in answer.path.answer.poses if pose.within_limits]
         choice = self.query_one("#solution", Choice)

@@ -2,7 +2,7 @@
 
 import asyncio
 from functools import partial
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from textual import on
@@ -15,8 +15,6 @@ from textual.widgets import Select, Static
 from kinlab.canvas import Canvas
 from kinlab.errors import KinlabError
 from kinlab.kinematics.transforms import Array
-from kinlab.papers.path import angles_of
-from kinlab.papers.tour import first_target
 from kinlab.robots import Limb, Robot
 from kinlab.robots.load import load_robots, shipped_robots
 from kinlab.robots.model import FRAMES
@@ -24,15 +22,16 @@ from kinlab.robots.views import SIDE, TOP, Drawn, draw_view
 from kinlab.tui.numbers import shown
 from kinlab.tui.station import Station
 from kinlab.tui.stations.robot.actions import ACTIONS
-from kinlab.tui.stations.robot.asking import Answer, Asker, Question
 from kinlab.tui.stations.robot.form import Form
 from kinlab.tui.stations.robot.kept import kept_in
-from kinlab.tui.stations.robot.table import path_rows, print_rows
-from kinlab.tui.stations.robot.telling import verdict
+from kinlab.tui.stations.robot.question import Question
 from kinlab.tui.widgets import Choice, Dial, Picture
 from kinlab.tui.widgets.said import retext
 
 BESIDE = 140  # columns that let the print stand beside the path
+if TYPE_CHECKING:
+    from kinlab.tui.stations.robot.asking import Answer, Asker
+
 STEP = 0.001  # m; how far an arrow key moves the target
 
 
@@ -73,14 +72,15 @@ class RobotStation(Station):
             self.refused, self.robots = str(error), shipped_robots()
         self.robot: Robot = next(iter(self.robots.values()))
         self.limb: Limb = self.robot.limb()
-        self.target: Array = first_target(self.robot, self.limb)
+        # None: where the limb's paper begins, which the first answer tells.
+        self.target: Array | None = None
         self.rpy: Array = np.zeros(3)
         self.angles: Array | None = None
         self.frame, self.solution = "limb", ""
         self.powered, self.ghost, self.bounds = True, False, True
         self.answer: Answer | None = None
         self.stood: Array | None = None
-        self._asker = Asker()
+        self._asker: Asker | None = None
         self._asked: Question | None = None
         self._busy = False
 
@@ -110,7 +110,7 @@ class RobotStation(Station):
             "robot": self.robot.name,
             "limb": self.limb.name,
             "frame": self.frame,
-            "target_m": self.target.tolist(),
+            "target_m": None if self.target is None else self.target.tolist(),
             "rpy_rad": self.rpy.tolist(),
             "angles_rad": None if self.angles is None else self.angles.tolist(),
             "solution": self.solution,
@@ -132,8 +132,7 @@ class RobotStation(Station):
         names = [self.say(f"begin.{name}") for name in begins]
         self.query_one("#begin", Choice).offer(begins, begins[self.angles is not None], names)
         self._show_form()
-        if self.answer is not None:
-            self._show(self.answer)
+        self._paint()
 
     @on(Resize)
     def _resized(self) -> None:
@@ -141,6 +140,11 @@ class RobotStation(Station):
             self.call_after_refresh(self._show_rows)
 
     # Asking and showing.
+
+    @property
+    def asking(self) -> bool:
+        """Whether an answer is still to come."""
+        return self._busy
 
     def ask(self) -> None:
         """Walk the path for what is set now. While one question is out, only the latest other one is kept."""
@@ -157,7 +161,7 @@ class RobotStation(Station):
             while self._asked is not None:
                 question, self._asked = self._asked, None
                 try:
-                    answer = await asyncio.to_thread(self._asker.ask, question)
+                    answer = await asyncio.to_thread(self._ask_core, question)
                 except KinlabError as error:
                     self.tell("bad", str(error))
                     continue
@@ -165,23 +169,40 @@ class RobotStation(Station):
         finally:
             self._busy = False
 
-    def _show(self, answer: Answer) -> None:
-        first = self.answer is None or self.answer.question.limb is not answer.question.limb
+    def _ask_core(self, question: Question) -> "Answer":
+        # The first frame does not wait for rooms that only the answer needs: they are imported beside it.
+        from kinlab.tui.stations.robot.asking import Asker
+
+        self._asker = self._asker or Asker()
+        return self._asker.ask(question)
+
+    def _show(self, answer: "Answer") -> None:
+        """A new answer has come."""
+        other = self.answer is None or self.answer.question.limb is not answer.question.limb
         self.answer = answer
-        if first or answer.path.pose is not None:
+        if other or answer.path.pose is not None:
             self.stood = answer.path.pose.q if answer.path.pose is not None else None
-        if self.angles is not None and self._asked is None:
-            # Where angles lead is the target to go on with.
-            self.target = answer.path.answer.target
         if self._asked is None:
+            if self.angles is not None or self.target is None:
+                # Where angles lead is the target to go on with.
+                self.target = answer.path.answer.target
             self._show_form()
-        self.query_one(Form).offer_solutions(answer, self.say)
-        self._show_rows()
-        self._redraw()
-        refused, self.refused = self.refused, ""
-        self.tell(*(("warn", refused) if refused else verdict(answer, self.say)))
+        self._paint()
+
+    def _paint(self) -> None:
+        """Show the answer of now."""
+        from kinlab.tui.stations.robot.telling import verdict
+
+        if self.answer is not None:
+            self.query_one(Form).offer_solutions(self.answer, self.say)
+            self._show_rows()
+            self._redraw()
+            refused, self.refused = self.refused, ""
+            self.tell(*(("warn", refused) if refused else verdict(self.answer, self.say)))
 
     def _show_rows(self) -> None:
+        from kinlab.tui.stations.robot.table import path_rows, print_rows
+
         if self.answer is not None:
             width, roomy = self.query_one("#path").size.width - 3, self.has_class("-tall")
             beside = width >= BESIDE
@@ -197,8 +218,8 @@ class RobotStation(Station):
         form = self.query_one(Form)
         if self.angles is not None:
             form.show_angles(self.limb, self.angles)
-        else:
-            form.show_target(self.limb, self.target, self.rpy, self.frame, self._asker.box)
+        elif self.target is not None and self.answer is not None:
+            form.show_target(self.limb, self.target, self.rpy, self.frame, self.answer.box)
 
     def _redraw(self) -> None:
         for picture in self.query(Picture):
@@ -210,6 +231,8 @@ class RobotStation(Station):
         if self.answer is None:
             return None
         seen = self.answer.top if name == TOP else self.answer.side
+        from kinlab.papers.path import angles_of
+
         path = self.answer.path
         others = [pose.q for pose in path.answer.poses if pose is not path.pose]
         # Out of reach, the limb stays where it stood.
@@ -218,7 +241,7 @@ class RobotStation(Station):
         beside = [Drawn(q, "", "other") for q in others[:1]]
         if self.ghost:
             for variant in path.printed:
-                q = angles_of(variant, self.limb)
+                q = angles_of(variant, path.answer.limb)
                 if q is not None:
                     beside.append(Drawn(q, self.say("printed.ghost"), "printed"))
         return draw_view(
@@ -235,13 +258,13 @@ class RobotStation(Station):
 
     @on(Picture.Pointed)
     def _pointed(self, event: Picture.Pointed) -> None:
-        if self.answer is not None:
+        if self.answer is not None and self.target is not None:
             seen = self.answer.top if event.picture.id == TOP else self.answer.side
             self._move_to(seen.point(event.x, event.y, self.target))
 
     def action_nudge(self, right: int, up: int) -> None:
         """Move the target in the view that has the focus, the one from the side where none has."""
-        if self.answer is not None:
+        if self.answer is not None and self.target is not None:
             focused = self.focused.id if self.focused is not None else ""
             seen = self.answer.top if focused == TOP else self.answer.side
             self._move_to(self.target + STEP * (right * seen.across + up * seen.up))
@@ -304,7 +327,7 @@ class RobotStation(Station):
     def take(self, robot: Robot, limb: Limb | None = None) -> None:
         """Go on with another limb, at the place where its paper begins."""
         self.robot, self.limb = robot, limb or robot.limb()
-        self.target, self.rpy = first_target(self.robot, self.limb), np.zeros(3)
+        self.target, self.rpy = None, np.zeros(3)
         self.angles, self.solution = None, ""
         self.relabel()
         self.ask()

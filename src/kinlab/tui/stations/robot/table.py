@@ -1,6 +1,6 @@
 """The path station by station, as rows: what stands there for each joint, and the error at that depth."""
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 from textual.content import Content
@@ -10,8 +10,7 @@ from kinlab.dynamixel.sandbox.display import byte_spans
 from kinlab.papers.path import WholePath
 from kinlab.robots.target import TargetReport, angles_deg, place_mm
 from kinlab.tui.numbers import shown
-
-Say = Callable[..., str]
+from kinlab.tui.stations.robot.naming import Say, short
 
 # The fields of a packet in the theme's colours; they are told apart by their places as well.
 BYTES = {
@@ -58,19 +57,6 @@ class Rows:
         room = self.width - self.label - (self.error if error else 0) - 1
         for i, part in enumerate(Content.styled(words, style).wrap(max(room, 20))):
             self.line("" if i else label, part, "" if i else error)
-
-
-def short(name: str, width: int) -> str:
-    """A joint's name in as many characters: shoulder_pitch as sh.pitch."""
-    if len(name) <= width or "_" not in name:
-        return name[:width]
-    first, _, rest = name.partition("_")
-    return f"{first[:2]}.{rest}"[:width]
-
-
-def solution_name(name: str, say: Say) -> str:
-    """A solution by the core's own name; angles that a person gave, in the language of now."""
-    return say("given") if name == "as given" else name
 
 
 def error_mm(metres: float | None) -> str:

@@ -3,7 +3,8 @@
 from kinlab.robots.reasons import breaches
 from kinlab.tui.numbers import shown
 from kinlab.tui.stations.robot.asking import Answer
-from kinlab.tui.stations.robot.table import Say, error_mm, solution_name
+from kinlab.tui.stations.robot.naming import Say, solution_name
+from kinlab.tui.stations.robot.table import error_mm
 
 
 def verdict(answer: Answer, say: Say) -> tuple[str, str]:

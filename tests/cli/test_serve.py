@@ -1,0 +1,113 @@
+"""`kinlab serve`, as it is started."""
+
+import re
+import signal
+import socket
+import subprocess
+import sys
+import urllib.error
+import urllib.request
+
+import pytest
+
+from kinlab.cli.serve import _announce
+
+
+@pytest.fixture
+def started(tmp_path, monkeypatch):
+    """A function that starts `kinlab serve` with a free port; gives the process and its address."""
+    monkeypatch.setenv("KINLAB_HOME", str(tmp_path))
+    monkeypatch.setenv("KINLAB_LANG", "en")
+    running = []
+
+    def start(*args):
+        process = subprocess.Popen(
+            [sys.executable, "-m", "kinlab", "serve", "--port", "0", *args],
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
+        running.append(process)
+        line = process.stdout.readline()
+        found = re.search(r"http://\S+", line)
+        assert found, line + process.stderr.read()
+        return process, found[0], line
+
+    yield start
+    for process in running:
+        process.kill()
+        process.communicate()
+
+
+def test_it_says_where_it_is_answers_there_and_ends_at_ctrl_c(started, tmp_path):
+    process, place, line = started("--sessions", "3")
+    assert "3 visitors" in line
+    assert "this machine alone" in line
+    with urllib.request.urlopen(place, timeout=60) as page:
+        assert page.status == 200
+        assert 'class="textual-terminal"' in page.read().decode()
+    process.send_signal(signal.SIGINT)
+    out, err = process.communicate(timeout=60)
+    assert process.returncode == 0
+    assert f"{tmp_path / 'visitors'}" in out
+    assert err == ""
+
+
+def test_a_foreign_name_is_refused(started):
+    _, place, _ = started()
+    request = urllib.request.Request(place, headers={"Host": "evil.example"})
+    with pytest.raises(urllib.error.HTTPError) as refused:
+        urllib.request.urlopen(request, timeout=60)
+    assert refused.value.code == 403
+    refused.value.close()
+
+
+def test_a_port_that_is_taken_is_named(kinlab):
+    with socket.socket() as other:
+        other.bind(("127.0.0.1", 0))
+        other.listen()
+        port = other.getsockname()[1]
+        run = kinlab("serve", "--port", port)
+    assert run.code == 1
+    assert f"another program has port {port}" in run.err
+    assert f"--port {port + 1}" in run.err
+
+
+@pytest.mark.parametrize(
+    ("args", "text"),
+    [
+        (["--sessions", 0], "from 1 on"),
+        (["--port", 65536], "0 to 65535"),
+        (["--port", -1], "0 to 65535"),
+        (["--port", "x"], "whole number"),
+        (["--robots", "none.yaml"], "none.yaml"),
+    ],
+)
+def test_what_cannot_be_is_refused(kinlab, args, text):
+    run = kinlab("serve", *args)
+    assert run.code == 2
+    assert text in run.err
+
+
+def test_an_address_that_is_not_here_is_told(kinlab):
+    run = kinlab("serve", "--host", "203.0.113.7", "--port", 0)
+    assert run.code == 1
+    assert "cannot listen on 203.0.113.7" in run.err
+
+
+def test_an_open_address_says_what_it_exposes(capsys):
+    _announce("0.0.0.0", 8000, 8)
+    told = capsys.readouterr()
+    assert "no password" in told.err
+    assert "no serial port" in told.err
+    _announce("127.0.0.1", 8000, 8)
+    assert capsys.readouterr().err == ""
+
+
+def test_without_the_extra_the_line_that_installs_it_is_given(kinlab, monkeypatch):
+    monkeypatch.setitem(sys.modules, "textual_serve.server", None)
+    for name in [name for name in sys.modules if name.startswith("kinlab.tui.web")]:
+        monkeypatch.delitem(sys.modules, name)
+    run = kinlab("serve", "--port", 0)
+    assert run.code == 1
+    assert "pip install 'kinlab[serve]'" in run.err
