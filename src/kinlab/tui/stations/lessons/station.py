@@ -6,32 +6,22 @@ from typing import Any, TypeVar
 
 from textual import on
 from textual.app import ComposeResult
-from textual.containers import Container, Horizontal, Vertical, VerticalScroll
-from textual.content import Content
-from textual.events import Resize
-from textual.widgets import Static
 
 from kinlab.errors import KinlabError
 from kinlab.lessons import Course, Progress, Sitting, Verdict, load_course
-from kinlab.lessons.kinds import offers
-from kinlab.lessons.marking import marked
 from kinlab.lessons.progress import PROFILE, TRIES_BEFORE_SOLUTION
 from kinlab.tui.station import Station
 from kinlab.tui.stations.lessons import telling
 from kinlab.tui.stations.lessons.actions import ACTIONS, AT_EXERCISE, AT_LIST, IN_LESSON
-from kinlab.tui.stations.lessons.bench import Bench, BytesBench, ChainBench, LegBench
+from kinlab.tui.stations.lessons.bench import LegBench
 from kinlab.tui.stations.lessons.browser import Browser, List, Search
-from kinlab.tui.stations.lessons.desk import Desk
 from kinlab.tui.stations.lessons.flow import Flow
 from kinlab.tui.stations.lessons.page import Page
-from kinlab.tui.stations.lessons.reply import Options, Reply
-from kinlab.tui.stations.lessons.seat import Seat, Table, placed
+from kinlab.tui.stations.lessons.room import Room
+from kinlab.tui.stations.lessons.seat import Seat
 from kinlab.tui.stations.lessons.steps import Steps
 from kinlab.tui.stations.packet.prompt import Prompt
-from kinlab.tui.stations.packet.registers import COLUMNS
-from kinlab.tui.stations.packet.tabs import Tabs
 
-VIEWS = ("text", "exercise", "bench")
 T = TypeVar("T")
 
 
@@ -42,7 +32,6 @@ class LessonsStation(Station):
         course: the lessons; None until they are read.
         progress: of the profile.
         seat: in the open lesson; None at the list.
-        view: what is shown where there is no room for everything.
     """
 
     NAME = "lessons"
@@ -50,37 +39,13 @@ class LessonsStation(Station):
     AUTO_FOCUS = ""
     CSS = """
     LessonsStation {
-        #lesson { display: none; height: 100%; }
-        &.-lesson { Browser { display: none; } #lesson { display: block; } }
+        &.-lesson Browser { display: none; }
         &.-wide {
             #found { layout: horizontal; }
             #lessons { width: 3fr; height: 100%; }
             #about { width: 2fr; height: 100%; border-top: none; border-left: solid $faint; }
         }
         &.-low.-narrow #about { height: 5; }
-        #title { height: 1; padding: 0 1; text-style: bold; text-wrap: nowrap; text-overflow: ellipsis; }
-        #ways { height: 1; }
-        Tabs { width: auto; }
-        #panes, #work { height: 1fr; width: 1fr; }
-        Page { width: 1fr; }
-        Page, Desk, Bench, #work { display: none; }
-        &.view-text Page, &.-end Page { display: block; }
-        &.view-exercise #work, &.view-exercise Desk, &.view-bench #work, &.view-bench Bench { display: block; }
-        &.-stacked {
-            #panes { layout: vertical; }
-            #work { height: 1fr; display: block; border-top: solid $faint; }
-            Desk { display: block; }
-            &.view-exercise Page { display: block; }
-        }
-        &.-beside {
-            #panes { layout: horizontal; }
-            Page, #work, Desk { display: block; }
-            Page { width: 6fr; }
-            #work { width: 5fr; border-left: solid $faint; }
-            &.-benched { Bench { display: block; border-top: solid $faint; } }
-        }
-        &.-end { #work { display: none; } Tabs { display: none; } }
-        &.-beside Tabs { display: none; }
     }
     """
 
@@ -89,23 +54,18 @@ class LessonsStation(Station):
         self.course: Course | None = None
         self.progress: Progress | None = None
         self.seat: Seat | None = None
-        self.view = VIEWS[0]
         self._kept: dict[str, Any] = {}
         self._informed: tuple[str, str, dict[str, object]] = ("note", "reading", {})
         self._order = asyncio.Lock()  # what is asked of the core goes there in the order of asking
 
     def compose_body(self) -> ComposeResult:
         yield Browser()
-        with Vertical(id="lesson"):
-            yield Static(id="title", markup=False)
-            with Horizontal(id="ways"):
-                yield Steps()
-                yield Tabs(VIEWS)
-            with Container(id="panes"):
-                yield Page()
-                with Vertical(id="work"):
-                    yield Desk()
-                    yield Bench()
+        yield Room()
+
+    @property
+    def room(self) -> Room:
+        """Where the open lesson is shown."""
+        return self.query_one(Room)
 
     # Beginning, and the next time.
 
@@ -207,132 +167,27 @@ class LessonsStation(Station):
             self.inform("note", "end" if self.seat.task is None else "read_first")
 
     def _arrive(self) -> None:
-        """Show the step of now from its beginning."""
-        seat = self.seat
-        if seat is None:
-            return
-        self.set_class(seat.task is None, "-end")
-        self.set_class(bool(seat.instrument), "-benched")
-        self._show("text" if seat.steps[seat.at].parts or seat.task is None else "exercise")
-        self._fill()
-        self.query_one(Page).scroll_home(animate=False)
-        self._focus()
-        if seat.task is not None and seat.task.exercise.kind == "state":
-            self.ask(seat.open_bench, lambda _: self._show_chain())
-        elif seat.instrument == "leg":
-            self.ask(seat.limb, lambda found: self.query_one(LegBench).take(*found))
-
-    def _fill(self) -> None:
-        """All texts of the step of now."""
         seat, course = self.seat, self.course
         if seat is None or course is None:
             return
-        desk, table, task = self.query_one(Desk), seat.table, seat.task
-        self.query_one("#title", Static).update(Content(seat.sitting.lesson.title(seat.sitting.language)))
-        self.query_one(Page).flow.put(*telling.page(course, seat, self.say), fresh=True)
-        kind = task.exercise.kind if task else ""
-        desk.ask(kind, self._sign(table))
-        desk.reply.placeholder = (
-            self.say(f"placeholder.{kind}") if task and not desk.has_class("-state") else ""
-        )
-        desk.reply.put(table.reply)
-        if table.bench is not None:
-            desk.prompt.session = table.bench.session
-        self.query_one(Bench).use(seat.instrument)
-        self.query_one(Tabs).name_them({v: self.say(f"tab.{v}") for v in self._views()}, self.view)
-        self._show_offers()
-        self._show_answer()
-        self._show_bytes()
-
-    def _sign(self, table: Table) -> str:
-        return self.say("sign.chain" if table.bench else "sign.answer")
-
-    def _views(self) -> list[str]:
-        """Those among which one can choose here."""
-        stacked = self.has_class("-stacked")
-        bench = ["bench"] if self.has_class("-benched") else []
-        return ["exercise", *bench] if stacked else ["text", "exercise", *bench]
-
-    def _show(self, view: str) -> None:
-        """Show a view, the next best where there is no such one."""
-        self.view = view if view in self._views() else self._views()[0]
-        for each in VIEWS:
-            self.set_class(each == self.view, f"view-{each}")
-        self.query_one(Tabs).choose(self.view)
-        self.refresh_bindings()
-
-    def _focus(self) -> None:
-        """Give the keys to what is read, or to what is answered."""
-        if self.seat is None:
-            self.query_one(List).focus()
-        elif self.seat.task is None or (self.view == "text" and not self.has_class("-beside")):
-            self.query_one(Page).focus()
-        else:
-            self.query_one(Desk).begin()
-
-    def _show_offers(self) -> None:
-        seat, desk = self.seat, self.query_one(Desk)
-        if seat is None or seat.task is None:
-            return
-        offered = offers(seat.task)
-        order = seat.task.exercise.kind == "order"
-        said = placed(seat.table.reply, offered) if order else seat.table.tried
-        plain = seat.task.exercise.kind == "mistake"
-        if offered:
-            desk.options.put(offered, said, plain=plain, ascii_only=self.lab.ascii_only)
-
-    def _show_answer(self) -> None:
-        """How the exercise stands, and what was said to the answer."""
-        seat, desk = self.seat, self.query_one(Desk)
-        if seat is None:
-            return
-        self.query_one(Steps).put(seat.standings, seat.at, ascii_only=self.lab.ascii_only)
-        desk.question.put(*telling.question(seat, self.say))
-        judged = seat.table.judged
-        faults = []
-        if judged is not None and seat.task is not None:
-            desk.judge(telling.verdict(judged.verdict, seat.sitting, self.lab.ascii_only))
-            if judged.reply == seat.table.reply:
-                faults = marked(seat.task, judged.reply, judged.verdict)
-                desk.reply.put(judged.reply, faults)
-        else:
-            desk.judge()
-        desk.mark(faults)
-        if seat.task is not None:
-            desk.aid(*telling.aid(seat, seat.table, self.say))
-        self.refresh_bindings()
-
-    def _show_bytes(self) -> None:
-        seat = self.seat
-        if seat is not None and seat.instrument == "bytes":
-            done = seat.sitting.standing(seat.name).done
-            empty = self.say("bytes.empty")
-            self.query_one(BytesBench).show(seat.table.reply, whole=done, empty=empty)
-
-    def _show_chain(self) -> None:
-        """The chain as it is now, and what was said to it."""
-        seat = self.seat
-        if seat is None or seat.table.bench is None:
-            return
-        desk, table = self.query_one(Desk), seat.table
-        desk.prompt.session = seat.table.bench.session
-        desk.ask("state", self.say("sign.chain"))
-        desk.answer(table.talk or [[("dim", self.say("chain_waits"))]])
-        names = {name: self.say(f"column.{name}") for name in COLUMNS}
-        self.query_one(ChainBench).show(seat.table.bench, table.servo, self.lab.ascii_only, names)
+        self.room.arrive(course, seat)
+        if seat.instrument == "chain":
+            self.ask(seat.open_bench, lambda _: self.room.chain())
+        elif seat.instrument == "leg":
+            self.ask(seat.limb, lambda found: self.query_one(LegBench).take(*found))
 
     # Answers.
 
-    @on(Reply.Given)
-    def _given(self, event: Reply.Given) -> None:
+    @on(Room.Answered)
+    def _answered(self, event: Room.Answered) -> None:
         seat = self.seat
         if seat is None or seat.task is None:
             return
-        right = seat.table.judged is not None and seat.table.judged.verdict.ok
-        if right and seat.table.judged and seat.table.judged.reply == event.text:
+        judged = seat.table.judged
+        if judged is not None and judged.verdict.ok and judged.reply == event.reply:
             self.action_next()
         else:
-            self._judge(lambda: seat.judge(event.text))
+            self._judge(lambda: seat.judge(event.reply))
 
     def _judge(self, work: Callable[[], Verdict | None]) -> None:
         seat = self.seat
@@ -342,10 +197,8 @@ class LessonsStation(Station):
         seat = self.seat
         if seat is None or seat.task is None:
             return
-        self._show_chain()
-        self._show_offers()
-        self._show_answer()
-        self._show_bytes()
+        self.room.chain()
+        self.room.answered()
         if verdict is None:
             return
         now = seat.sitting.standing(seat.name)
@@ -360,38 +213,6 @@ class LessonsStation(Station):
         else:
             self.inform("bad", "again_please", tries=now.tries, left=TRIES_BEFORE_SOLUTION - now.tries)
         self._name_damage()
-
-    @on(Reply.Typed)
-    def _typed(self, event: Reply.Typed) -> None:
-        seat = self.seat
-        if seat is None or seat.task is None:
-            return
-        seat.table.reply = event.text
-        self.query_one(Desk).mark(())
-        if seat.task.exercise.kind == "order":
-            self._show_offers()
-        self._show_bytes()
-        pose = seat.typed_angles(event.text)
-        if pose is not None:
-            self.query_one(LegBench).pose(pose)
-
-    @on(Options.Chosen)
-    def _chosen(self, event: Options.Chosen) -> None:
-        seat, desk = self.seat, self.query_one(Desk)
-        if seat is None or seat.task is None:
-            return
-        if seat.task.exercise.kind != "order":
-            judged = seat.table.judged
-            if judged is not None and judged.verdict.ok and judged.reply == event.label:
-                self.action_next()
-                return
-            self._judge(lambda: seat.judge(event.label))
-            return
-        words = seat.table.reply.split()
-        words = [w for w in words if w != event.label] if event.label in words else [*words, event.label]
-        desk.reply.value = " ".join(words)
-        if len(words) == len(offers(seat.task)):
-            desk.reply.focus()
 
     @on(Prompt.Entered)
     def _line(self, event: Prompt.Entered) -> None:
@@ -424,28 +245,13 @@ class LessonsStation(Station):
     def _to_step(self, event: Steps.Chosen) -> None:
         self.go(event.step)
 
-    @on(Tabs.Chosen)
-    def _to_view(self, event: Tabs.Chosen) -> None:
-        self._show(event.name)
-        self._focus()
-
     @on(Page.ReadOn)
     def _read_on(self) -> None:
         if self.seat is not None and self.seat.task is None:
             self.action_next()
         else:
-            self._show("exercise")
-            self._focus()
-
-    @on(Resize)
-    def _laid_out(self) -> None:
-        wide, tall = self.size.width >= 120, self.size.height >= 30
-        before = (self.has_class("-beside"), self.has_class("-stacked"))
-        self.set_class(wide, "-beside")
-        self.set_class(tall and not wide, "-stacked")
-        if before != (wide, tall and not wide) and self.seat is not None:
-            self._fill()
-            self._show(self.view)
+            self.room.show("exercise")
+            self.room.begin()
 
     def relabel(self) -> None:
         self._list()
@@ -466,8 +272,8 @@ class LessonsStation(Station):
         self.seat = seat
         if seat.table.bench is not None and seat.task is not None:
             seat.table.bench.task = seat.task
-        self._fill()
-        self._show_chain()
+        if self.course is not None:
+            self.room.fill(self.course, seat)
 
     # What a person does.
 
@@ -486,7 +292,7 @@ class LessonsStation(Station):
             if action == "solution":
                 return True if seat.sitting.standing(seat.name).may_see_solution else None
         if action == "view":
-            return not self.has_class("-end") and len(self._views()) > 1 and not self.has_class("-beside")
+            return len(self.room.views) > 1
         return True
 
     def action_hint(self) -> None:
@@ -516,9 +322,8 @@ class LessonsStation(Station):
             self._aided()
 
     def _aided(self) -> None:
-        if self.view == "text" and not self.has_class("-beside"):
-            self._show("exercise")
-        self._show_answer()
+        self.room.to_exercise()
+        self.room.answered()
 
     def action_solution(self) -> None:
         """Show the solution, where enough was tried; the exercise then counts as shown."""
@@ -563,9 +368,7 @@ class LessonsStation(Station):
 
     def action_view(self) -> None:
         """Show the next view."""
-        views = self._views()
-        self._show(views[(views.index(self.view) + 1) % len(views)])
-        self._focus()
+        self.room.show_next()
 
     def action_check(self) -> None:
         """Ask what is still missing; counts as a try."""
@@ -583,17 +386,15 @@ class LessonsStation(Station):
         """Go back to the list."""
         self._list()
         self.seat = None
-        self.remove_class("-lesson", "-end", "-benched")
+        self.remove_class("-lesson")
+        self.room.leave()
         self.refresh_bindings()
-        self._focus()
+        self.query_one(List).focus()
         self.inform("note", "welcome")
 
     def action_scroll(self, pages: int) -> None:
         """Scroll what is read."""
-        page: VerticalScroll = self.query_one(Page)
-        if not page.display:
-            page = self.query_one("#asked", VerticalScroll)
-        page.scroll_relative(y=pages * max(page.size.height - 1, 1), animate=False)
+        self.room.scroll_page(pages)
 
     def action_search(self) -> None:
         """Look for a lesson."""
