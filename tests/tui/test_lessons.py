@@ -174,7 +174,6 @@ def test_the_wrong_line_is_found_by_its_number(take):
 
 def test_an_order_is_chosen_piece_by_piece_taken_back_and_typed(take, lab):
     async def script(pilot, station):
-        await press(pilot, "f10")
         right, wrong = replies(station)
         reply = station.query_one(Reply)
         options = station.query_one(Options)
@@ -197,7 +196,7 @@ def test_an_order_is_chosen_piece_by_piece_taken_back_and_typed(take, lab):
         await press(pilot, "enter")
         assert now(station).solved
 
-    take(script, "gaits", 2)
+    take(script, "gaits", 2, size=(120, 40))
 
 
 def test_lines_go_to_the_chain_of_the_exercise_until_its_state_is_reached(take, lab):
@@ -206,7 +205,7 @@ def test_lines_go_to_the_chain_of_the_exercise_until_its_state_is_reached(take, 
         assert isinstance(station.focused, Prompt)
         await type_in(pilot, "nonsense")
         await press(pilot, "enter")
-        assert "no command is named 'nonsense'" in lab.text(pilot.app)
+        assert "No command is named 'nonsense'" in lab.text(pilot.app)
         await press(pilot, "ctrl+g")
         assert now(station).tries == 1
         assert "is not" in verdict(station) or "Register" in verdict(station)
@@ -373,7 +372,7 @@ def test_the_list_is_searched_filtered_and_opened(take, lab):
         assert 0 < found.option_count < 5
         await press(pilot, "escape")
         assert found.option_count == len(station.course.lessons)
-        await press(pilot, "down", "enter")
+        await press(pilot, "home", "down", "enter")
         assert station.seat.sitting.lesson.id == list(station.course.lessons)[1]
         await press(pilot, "ctrl+y")
         await pilot.click(List, offset=(10, 0))
@@ -436,6 +435,7 @@ def test_another_profile_has_numbers_and_progress_of_its_own(take, lab):
         assert isinstance(pilot.app.screen.focused, OptionList)
         await press(pilot, "escape")
         assert "budi" in lab.rows(pilot.app)[1]
+        pilot.app.keep()
 
     app = take(script)
     assert app.settings.stations["lessons"]["profile"] == "budi"
@@ -463,6 +463,7 @@ def test_the_place_in_the_lesson_is_kept_between_runs(take):
     async def script(pilot, station):
         assert station.seat.at == 3
         await press(pilot, "f9")
+        pilot.app.keep()
 
     app = take(script, "leg-geometry", 3)
     assert app.settings.stations["lessons"] == {"profile": "ani", "lesson": "leg-geometry", "step": 4}

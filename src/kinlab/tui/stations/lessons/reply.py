@@ -11,7 +11,9 @@ from textual import on
 from textual.binding import Binding, BindingType
 from textual.content import Content
 from textual.events import Key
+from textual.geometry import Region
 from textual.message import Message
+from textual.widget import Widget
 from textual.widgets import Input, OptionList, Static
 from textual.widgets.option_list import Option
 
@@ -171,6 +173,16 @@ class Options(OptionList):
             event.prevent_default()
             self.highlighted = self._labels.index(str(event.character))
             self.post_message(self.Chosen(str(event.character)))
+
+    @on(OptionList.OptionHighlighted)
+    def _moved(self, event: OptionList.OptionHighlighted) -> None:
+        event.stop()
+        if self.has_focus and isinstance(self.parent, Widget):
+            # The list has all its rows; it is what holds it that scrolls.
+            row = event.option_index * self.size.height // max(self.option_count, 1)
+            self.parent.scroll_to_region(
+                Region(0, self.virtual_region.y + row, self.size.width, 1), animate=False
+            )
 
     @on(OptionList.OptionSelected)
     def _selected(self, event: OptionList.OptionSelected) -> None:

@@ -9,6 +9,7 @@ from textual.containers import Container, Horizontal, Vertical, VerticalScroll
 from textual.content import Content
 from textual.events import Resize
 from textual.message import Message
+from textual.widget import Widget
 from textual.widgets import Static
 
 from kinlab.lessons import Course
@@ -21,8 +22,10 @@ from kinlab.tui.stations.lessons.page import Page
 from kinlab.tui.stations.lessons.reply import Options, Reply
 from kinlab.tui.stations.lessons.seat import Seat, placed
 from kinlab.tui.stations.lessons.steps import Steps
-from kinlab.tui.stations.packet.registers import COLUMNS
+from kinlab.tui.stations.packet.registers import COLUMNS, Registers
+from kinlab.tui.stations.packet.sheet import Sheet
 from kinlab.tui.stations.packet.tabs import Tabs
+from kinlab.tui.stations.packet.traffic import Traffic
 
 if TYPE_CHECKING:
     from kinlab.tui.stations.lessons.station import LessonsStation
@@ -36,7 +39,7 @@ class Room(Vertical):
 
     Attributes:
         seat: in the lesson; None where none is open.
-        view: what is shown where there is no room for everything.
+        wished: the view that a person has chosen; there may be no room, or no need, for it.
     """
 
     DEFAULT_CSS = """
@@ -78,7 +81,7 @@ class Room(Vertical):
     def __init__(self) -> None:
         super().__init__()
         self.seat: Seat | None = None
-        self.view = VIEWS[0]
+        self.wished = VIEWS[0]
 
     @property
     def station(self) -> "LessonsStation":
@@ -112,9 +115,14 @@ class Room(Vertical):
         bench = ["bench"] if seat.instrument else []
         return [*([] if self.has_class("-stacked") else ["text"]), "exercise", *bench]
 
+    @property
+    def view(self) -> str:
+        """What is shown where there is no room for everything."""
+        return self.wished if self.wished in self.views else self.views[0]
+
     def show(self, view: str) -> None:
         """Show a view, the first one where there is no such."""
-        self.view = view if view in self.views else self.views[0]
+        self.wished = view
         for each in VIEWS:
             self.set_class(each == self.view, f"view-{each}")
         self.query_one(Tabs).choose(self.view)
@@ -138,16 +146,19 @@ class Room(Vertical):
             self.show("exercise")
 
     def scroll_page(self, pages: int) -> None:
-        """Scroll what is read, else what is asked."""
-        page: VerticalScroll = self.query_one(Page)
-        if not page.display:
+        """Scroll the part of the instrument that has the keys, else what is read, else what is asked."""
+        focused = self.screen.focused
+        page: Widget = self.query_one(Page)
+        if isinstance(focused, Registers | Traffic | Sheet):
+            page = focused
+        elif not page.is_on_screen:
             page = self.query_one("#asked", VerticalScroll)
         page.scroll_relative(y=pages * max(page.size.height - 1, 1), animate=False)
 
     def on_resize(self, event: Resize) -> None:
         if self._lay_out():
             self._name_views()
-            self.show(self.view)
+            self.show(self.wished)
 
     def _lay_out(self) -> bool:
         """Choose what stands beside what; whether that is something else now."""
