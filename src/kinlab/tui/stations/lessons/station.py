@@ -184,8 +184,11 @@ class LessonsStation(Station):
         if seat is None or seat.task is None:
             return
         judged = seat.table.judged
-        if judged is not None and judged.verdict.ok and judged.reply == event.reply:
-            self.action_next()
+        if judged is not None and judged.reply == event.reply:
+            if judged.verdict.ok:
+                self.action_next()
+            else:
+                self.inform("warn", "same")
         else:
             self._judge(lambda: seat.judge(event.reply))
 

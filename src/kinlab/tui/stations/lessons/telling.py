@@ -12,6 +12,7 @@ from kinlab.tui.stations.lessons.seat import Seat, Table
 Say = Callable[..., str]
 TITLE = "bold $sky"
 QUIET = "$quiet"
+BREAK = "  \n"  # of a line, in Markdown
 
 
 def rows(course: Course, progress: Progress, language: str, say: Say) -> list[Row]:
@@ -131,11 +132,10 @@ def aid(seat: Seat, table: Table, say: Say) -> list[Block]:
     if 0 <= table.hint < len(hints):
         hint = hints[table.hint]
         more = f"  {say('earlier')}" if hint.number > 1 else ""
-        found.append(Block(say("hint", number=hint.number, count=hint.count) + more, style="$orange"))
-        found.append(Block(hint.text))
+        head = say("hint", number=hint.number, count=hint.count)
+        found.append(Block(f"**{head}**{more}{BREAK}{hint.text}"))
     if table.solution:
-        found.append(Block(say("the_solution"), style="$orange"))
-        found.append(Block(table.solution))
+        found.append(Block(f"**{say('the_solution')}**{BREAK}{table.solution}"))
     return found
 
 
