@@ -35,29 +35,30 @@ def file_named(text: str) -> Path:
     return folder / text
 
 
-def write_whole(path: Path, text: str, *, lasting: bool = False) -> None:
-    """Put `text` into the file in one step: who reads it meanwhile sees the old one.
+def write_whole(path: Path, content: str | bytes, *, lasting: bool = False) -> None:
+    """Put `content` into the file in one step: who reads it meanwhile sees the old one.
 
     What stands there and is no file, such as /dev/stdout, is written to and never replaced.
 
     Args:
         path: of the file.
-        text: all of it.
+        content: all of it; text as UTF-8.
         lasting: come back only when it would survive a power cut.
 
     Raises:
         FileError: it cannot be written.
     """
+    data = content.encode() if isinstance(content, str) else content
     goal = path.resolve()
     if is_guest() and not goal.is_relative_to(own_folder().resolve()):
         raise FileError(f"{path}: a session in the browser writes only into a folder of its own")
     draft = goal.with_name(f".{goal.name}.{os.getpid()}")
     try:
         if path.exists() and not path.is_file():
-            path.write_text(text, encoding="utf-8", newline="")
+            path.write_bytes(data)
             return
-        with draft.open("w", encoding="utf-8", newline="") as file:
-            file.write(text)
+        with draft.open("wb") as file:
+            file.write(data)
             if lasting:
                 file.flush()
                 os.fsync(file.fileno())

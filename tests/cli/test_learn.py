@@ -128,6 +128,12 @@ def test_listing_needs_no_numpy(home: Path) -> None:
     assert run.returncode == 0, run.stderr
 
 
+def test_options_stand_before_or_behind_the_lesson(kinlab: Any) -> None:
+    before = kinlab("learn", "--lang", "id", "-p", "ani", LEG, "--json").json
+    assert before == kinlab("learn", LEG, "--lang", "id", "-p", "ani", "--json").json
+    assert before["language"] == "id"
+
+
 def test_one_answer_is_checked(kinlab: Any) -> None:
     sitting = Sitting.alone(load_course().lesson(LEG), "ani", "en")
     name = next(name for name, task in sitting.tasks.items() if task.exercise.kind == "vector")
@@ -242,6 +248,7 @@ def test_a_lesson_is_one_document(kinlab: Any) -> None:
         ([LEG, "--lessons", "/nowhere"], "/nowhere: cannot be read"),
         ([LEG, "--json", "--watch", "x"], "give one of the two"),
         (["export", "--csv", "--json"], "give one"),
+        (["--json", LEG], "--json goes behind the lesson"),
         (["verify", "/nowhere.json"], "/nowhere.json: cannot be read"),
         (["new", "../x"], "no name for a lesson"),
     ],

@@ -38,6 +38,17 @@ def test_without_a_name_it_counts(kinlab):
         assert re.search(rf"^{name} .* 100 %$", answer.out, re.MULTILINE)
 
 
+@pytest.mark.parametrize("width", ["40", "60", "79"])
+def test_no_count_is_cut_where_there_is_little_room(kinlab, monkeypatch, width):
+    summary = kinlab("papers", "--json").json["summary"]
+    monkeypatch.setenv("COLUMNS", width)
+    shown = kinlab("papers").out
+    assert "…" not in shown
+    assert re.search(r"✓ +≈ +✗ +· +scan +checked$", shown, re.MULTILINE)
+    counts = [" +".join(str(summary[name][verdict]) for verdict in VERDICTS) for name in PAPERS]
+    assert all(re.search(rf" {line} ", shown) for line in counts)
+
+
 def test_the_docs_show_what_is_counted(kinlab):
     """Where a total changes, docs/papers.md changes with it."""
     told = (Path(__file__).parents[2] / "docs" / "papers.md").read_text(encoding="utf-8")

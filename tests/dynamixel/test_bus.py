@@ -3,6 +3,7 @@
 import pytest
 
 from kinlab.dynamixel import BusError, DamagedAnswerError, NoAnswerError, PortError, RefusedError, open_port
+from kinlab.dynamixel.bus import Passage, packets
 from kinlab.dynamixel.chain import Burst
 from kinlab.dynamixel.monitor import CsvLog, Monitor
 from kinlab.errors import FileError, UsageError
@@ -208,3 +209,41 @@ def test_registers_side_by_side_are_written_in_one_packet(bus_of):
     assert (bus.read(5, "goal_position"), bus.read(5, "moving_speed")) == (600, 100)
     with pytest.raises(UsageError, match="goal_position to present_load are not side by side"):
         bus.write_block(5, {goal: 600, load: 0})
+
+
+def test_a_tap_hears_all_that_passes_with_its_time(bus):
+    bus.write(1, "torque_enable", 1)
+    heard = []
+    bus.tap = heard.append
+    began = bus.port.clock.now()
+    bus.read(1, "present_position")
+    bus.sync_write("goal_position", {1: 512})
+    bus.tap = None
+    bus.read(1, "present_position")
+    assert [(p.sent, len(p.data)) for p in heard] == [(True, 8), (False, 8), (True, 11)]
+    assert heard[0].data.startswith(bytes.fromhex("FFFF0104"))
+    # At 1 Mbps a byte takes 10 us; the answer waits for the servo's return delay.
+    assert heard[0].at == pytest.approx(began + 80e-6)
+    assert heard[1].at > heard[0].at + 80e-6
+    assert heard[2].at == pytest.approx(heard[1].at + 110e-6)
+
+
+def test_answers_heard_in_pieces_become_whole_packets(bus):
+    bus.scan()
+    heard = []
+    bus.tap = heard.append
+    bus.read(1, "present_position")
+    bus.sync_write("goal_position", {1: 512})
+    bus.read(2, "present_position")
+    pieces = []
+    for passage in heard:
+        at, sent, data = passage
+        cuts = [data] if sent else [data[:1], data[1:4], data[4:]]
+        pieces += [Passage(at + i * 1e-3, sent, part) for i, part in enumerate(cuts)]
+    whole = list(packets(pieces))
+    assert [(p.sent, p.data) for p in whole] == [(p.sent, p.data) for p in heard]
+    assert whole[1].at == pytest.approx(heard[1].at + 2e-3)
+    # Answers that come in one piece are told apart, and what is none comes as it is.
+    request, answer = heard[0], heard[1]
+    both = list(packets([request, answer._replace(data=answer.data * 2), answer._replace(data=b"\xff\x00")]))
+    assert [p.data for p in both] == [request.data, answer.data, answer.data, b"\xff\x00"]

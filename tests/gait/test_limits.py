@@ -8,6 +8,7 @@ import pytest
 
 from kinlab.errors import KinlabError
 from kinlab.gait import assess, find_gait, plan
+from kinlab.gait.limits import joint_rates
 from kinlab.robots import load_robot
 
 
@@ -81,3 +82,11 @@ def test_twice_the_speed_at_the_same_stride_is_twice_the_joint_speed():
     slow = krsri()
     fast = replace(slow, velocity=(0.04, 0.0), period=slow.period / 2)
     assert assess(fast).used == pytest.approx(2 * assess(slow).used)
+
+
+def test_joint_rates_are_those_of_a_line_through_neighbouring_instants():
+    walk = krsri(gait="wave")
+    t = np.array([0.11, 0.37]) * walk.period
+    h = 1e-4
+    slope = (walk.at(t + h).q - walk.at(t - h).q) / (2 * h)
+    np.testing.assert_allclose(joint_rates(walk, t), slope, atol=1e-4)

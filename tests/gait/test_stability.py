@@ -206,3 +206,18 @@ def test_going_round_a_circle_pushes_the_zero_moment_point_outwards():
     assert state.zmp - state.centre[:2] == pytest.approx(
         [0, -state.centre[2] / 9.80665 * 0.08 * 0.5], abs=1e-7
     )
+
+
+def test_polygon_and_mass_are_where_the_body_has_carried_them_over_the_ground():
+    robot = load_robot("krsri-hexapod")
+    walk = plan(robot, find_gait(robot, "tripod"), turn=0.2)
+    motion = walk.at(np.linspace(0, 2 * walk.period, 9))
+    state = stability(motion)
+    for frame in range(9):
+        feet = motion.ground[frame][state.down[frame]]
+        corners = state.support(frame)
+        assert len(corners) == len(feet) == 3 or len(feet) == 6
+        for corner in corners:
+            assert np.linalg.norm(feet - corner, axis=-1).min() < 1e-12
+    np.testing.assert_allclose(state.over_ground, motion.body[:, :3, 3], atol=1e-12)
+    assert not state.zmp_over_ground[:, 2].any()

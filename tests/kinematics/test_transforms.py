@@ -9,6 +9,7 @@ from kinlab.kinematics.transforms import (
     apply,
     homogeneous,
     inverse,
+    quaternion,
     rotation,
     rotation_to_rpy,
     rotation_vector,
@@ -132,3 +133,16 @@ def test_all_functions_broadcast_over_leading_dimensions():
 def test_empty_batches_come_back_empty():
     assert rotation_vector(np.empty((0, 3, 3))).shape == (0, 3)
     assert rotation_to_rpy(np.empty((0, 3, 3))).shape == (0, 3)
+
+
+def test_quaternions_turn_vectors_as_their_rotations_do():
+    rng = np.random.default_rng(4)
+    vectors = np.concatenate([rng.uniform(-3, 3, (50, 3)), [[0, 0, 0], [1e-12, 0, 0], [0, np.pi, 0]]])
+    xyz, w = np.split(quaternion(vectors), [3], axis=-1)
+    v = rng.uniform(-1, 1, (len(vectors), 3))
+    # v' = v + 2 w (q x v) + 2 q x (q x v)
+    turned = v + 2 * w * np.cross(xyz, v) + 2 * np.cross(xyz, np.cross(xyz, v))
+    for vector, before, after in zip(vectors, v, turned, strict=True):
+        angle = np.linalg.norm(vector)
+        axis = vector / angle if angle else np.array(Z, float)
+        np.testing.assert_allclose(after, rotation(axis, angle) @ before, atol=1e-14)

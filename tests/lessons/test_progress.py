@@ -168,7 +168,7 @@ def test_a_new_version_of_a_lesson_begins_anew(samples: Course, tmp_path: Path) 
 
 def test_a_closed_folder_is_said_to_be_closed(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("")
-    with pytest.raises(FileError):
+    with pytest.raises(FileError, match=r"below: cannot be made.*KINLAB_HOME can name another folder"):
         Progress("ani", tmp_path / "file" / "below").begin()
 
 

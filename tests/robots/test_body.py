@@ -6,7 +6,7 @@ import pytest
 import kinlab
 from kinlab.errors import UsageError
 from kinlab.kinematics.transforms import apply, homogeneous, rpy_to_rotation
-from kinlab.robots.body import body_pose, legs_ik
+from kinlab.robots.body import body_pose, legs_ik, resting
 
 ROBOTS = {name: robot for name, robot in kinlab.load_robots().items() if robot.legs}
 every_robot = pytest.mark.parametrize("robot", ROBOTS.values(), ids=ROBOTS)
@@ -94,3 +94,15 @@ def test_a_pose_out_of_reach_says_which_feet():
 def test_a_robot_without_legs_has_nothing_to_stand_on():
     with pytest.raises(UsageError, match="receptionist-arm has no legs"):
         body_pose(kinlab.load_robot("receptionist-arm"), [0, 0, 0], [0, 0, 0])
+
+
+@pytest.mark.parametrize("robot", kinlab.load_robots().values(), ids=kinlab.load_robots())
+def test_at_rest_legs_stand_and_nothing_is_beyond_its_limits(robot):
+    for name, q in resting(robot).items():
+        limb = robot.limbs[name]
+        lower, upper = limb.limits
+        assert ((lower - 1e-6 <= q) & (q <= upper + 1e-6)).all()
+        if limb.stance is None:
+            assert not q[(lower <= 0) & (upper >= 0)].any()
+        else:
+            np.testing.assert_allclose(limb.fk(q)[:3, 3], limb.stance, atol=1e-12)

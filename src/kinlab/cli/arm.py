@@ -12,6 +12,7 @@ from kinlab.cli.arm_bench import (
     compliance_of,
     line_of,
     record_of,
+    scene_of,
     setup_of,
     under_compliance,
 )
@@ -32,7 +33,18 @@ from kinlab.cli.arm_options import (
     Summed,
     TorqueLimit,
 )
-from kinlab.cli.command import JsonOption, LimbOption, NumericCommand, RobotsOption, command_app, print_json
+from kinlab.cli.command import (
+    ForceOption,
+    JsonOption,
+    LimbOption,
+    NumericCommand,
+    RobotsOption,
+    RrdOption,
+    check_rrd,
+    command_app,
+    print_json,
+    write_rrd,
+)
 
 if TYPE_CHECKING:
     from kinlab.papers.receptionist_experiments import Outcome
@@ -77,6 +89,8 @@ def _track(
     trace: Annotated[
         Path | None, typer.Option(help="Write the packets of the cycle half-way, for `kinlab packet FILE`.")
     ] = None,
+    rrd: RrdOption = None,
+    force: ForceOption = False,
     limb: LimbOption = None,
     robots: RobotsOption = None,
     json: JsonOption = False,
@@ -93,6 +107,7 @@ def _track(
         raise UsageError("compliance is what `kinlab arm comply` is for")
     for file in filter(None, (csv, trace)):
         check_writable(file)
+    check_rrd(rrd, force)
     machine, arm = arm_of(robots, limb)
     path = line_of(arm, profile, start, end, seconds)
     settings = Settings(law, PositionGains(kp, kv), running_sum=summed)
@@ -101,7 +116,9 @@ def _track(
         record = record_of(machine, arm, path, settings, setup, (), real, baud, tell, drop)
     if trace:
         write_whole(trace, one_cycle(machine, arm, path, settings, setup, len(path.q) // 2))
-    answer(tracking(machine, arm, path, settings, setup, record), "error", csv, json)
+    outcome = tracking(machine, arm, path, settings, setup, record)
+    write_rrd(rrd, force, lambda: scene_of(machine, outcome))
+    answer(outcome, "error", csv, json)
 
 
 @app.command(

@@ -28,13 +28,23 @@ from kinlab.cli.arm_options import (
     Summed,
     TorqueLimit,
 )
-from kinlab.cli.command import JsonOption, LimbOption, RobotsOption, print_json
+from kinlab.cli.command import (
+    ForceOption,
+    JsonOption,
+    LimbOption,
+    RobotsOption,
+    RrdOption,
+    check_rrd,
+    print_json,
+    write_rrd,
+)
 
 if TYPE_CHECKING:
     from kinlab.kinematics.resolved_motion import Track
     from kinlab.papers.receptionist_experiments import Outcome, Tell
     from kinlab.rig.arm import Push, Record, Settings, Setup
     from kinlab.robots import Limb, Robot
+    from kinlab.scene import Recording
 
 # Nobody knows yet how a real arm takes these gains: this share of its torque, and this speed (deg/s), at most.
 REAL_TORQUE, REAL_SPEED = 0.4, 200.0
@@ -82,6 +92,8 @@ def under_compliance(work: "Callable[[Bench], tuple[Outcome, str]]") -> Callable
         baud: Baud = 1_000_000,
         live: Live = False,
         csv: Csv = None,
+        rrd: RrdOption = None,
+        force: ForceOption = False,
         limb: LimbOption = None,
         robots: RobotsOption = None,
         json: JsonOption = False,
@@ -91,6 +103,7 @@ def under_compliance(work: "Callable[[Bench], tuple[Outcome, str]]") -> Callable
 
         if csv:
             check_writable(csv)
+        check_rrd(rrd, force)
         machine, arm = arm_of(robots, limb)
         path = line_of(arm, profile, None, None, 1.28)
         settings = compliance_of(environment, (kf, kenv, denv, menv), (kp, kv), summed, alpha)
@@ -99,6 +112,7 @@ def under_compliance(work: "Callable[[Bench], tuple[Outcome, str]]") -> Callable
             outcome, plot = work(
                 Bench(machine, arm, path, settings, setup, pushes_of(push), real, baud, tell)
             )
+        write_rrd(rrd, force, lambda: scene_of(machine, outcome))
         answer(outcome, plot, csv, json)
 
     command.__doc__ = work.__doc__
@@ -182,6 +196,13 @@ def record_of(
     except KeyboardInterrupt:
         typer.echo("kinlab: interrupted; the torque is off", err=True)
         raise typer.Exit(130) from None
+
+
+def scene_of(machine: "Robot", outcome: "Outcome") -> "Recording":
+    """An experiment in 3-D."""
+    from kinlab.scene import arm_scene
+
+    return arm_scene(machine, outcome)
 
 
 def answer(outcome: "Outcome", plot: str, csv: Path | None, json: bool) -> None:

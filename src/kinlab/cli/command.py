@@ -4,7 +4,7 @@ import json
 import re
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated, Any, get_args, get_origin
+from typing import TYPE_CHECKING, Annotated, Any, get_args, get_origin
 
 import typer
 
@@ -14,6 +14,11 @@ from typer._coercion import RuntimeParam
 from typer.core import TyperCommand
 
 from kinlab.errors import UsageError
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from kinlab.scene import Recording
 
 _NUMBER = re.compile(r"[+\N{MINUS SIGN}-]?(\d|[.,]\d|inf|nan)", re.IGNORECASE)
 
@@ -47,6 +52,10 @@ RobotsOption = Annotated[
     Path | None,
     typer.Option("--robots", help="A robots file that adds to KinLab's robots. Default: $KINLAB_ROBOTS."),
 ]
+RrdOption = Annotated[
+    Path | None, typer.Option("--rrd", metavar="FILE.rrd", help="Write it as a 3-D recording for rerun.")
+]
+ForceOption = Annotated[bool, typer.Option("--force", help="Replace a recording that exists.")]
 
 
 @dataclass(frozen=True)
@@ -125,6 +134,28 @@ def command_app() -> typer.Typer:
         add_completion=False,
         context_settings={"help_option_names": ["-h", "--help"]},
     )
+
+
+def check_rrd(path: Path | None, force: bool, option: str = "--rrd") -> None:
+    """Refuse, before the work, a recording that could not be written; nothing where none is asked for."""
+    if path:
+        from kinlab.scene import check_new, load_rerun
+
+        load_rerun()
+        check_new(path, force)
+    elif force:
+        raise UsageError(f"--force is for {option}: there is no file to replace")
+
+
+def write_rrd(path: Path | None, force: bool, scene: "Callable[[], Recording]") -> int | None:
+    """Write a recording where one is asked for, and say how to look at it; its size in bytes."""
+    if path is None:
+        return None
+    from kinlab.scene import save
+
+    size = save(scene(), path, force)
+    typer.echo(f"kinlab: {path}: {size / 1000:.0f} kB; look at it with: rerun {path}", err=True)
+    return size
 
 
 def print_json(document: Any) -> None:

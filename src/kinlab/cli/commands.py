@@ -21,6 +21,7 @@ COMMANDS = {
     "gait": "a gait phase by phase: which legs swing, which carry, how safely, how fast at most",
     "walk": "the gait on the servos: joint speeds, loads, tracking error, energy; sweeps and comparisons",
     "arm": "the receptionist's arm follows a line, yields to a hand, and observes what pushes it",
+    "view": "see a robot, a target, a gait or an experiment in 3-D, in rerun",
     "packet": "Dynamixel packets byte by byte, at a prompt, on an emulated chain or a real bus",
     "emulate": "an emulated servo chain for other programs, on a pty or TCP",
     "learn": "the course: lessons that check themselves, in English and Bahasa Indonesia",

@@ -1,21 +1,30 @@
 """`kinlab gait`: a gait phase by phase."""
 
 import sys
-from typing import Annotated, Any
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from kinlab.cli.command import (
+    ForceOption,
     GaitOption,
     JsonOption,
     NumericCommand,
     RobotArgument,
     RobotsOption,
+    RrdOption,
     SpeedOption,
     TurnOption,
+    check_rrd,
     command_app,
     print_json,
+    write_rrd,
 )
+
+if TYPE_CHECKING:
+    from kinlab.gait import Walk
+    from kinlab.scene import Recording
 
 app = command_app()
 
@@ -65,6 +74,8 @@ def gait(
         ),
     ] = False,
     frames: Annotated[int, typer.Option(metavar="N", help="Frames of a cycle in the JSON.")] = 60,
+    rrd: RrdOption = None,
+    force: ForceOption = False,
     robots: RobotsOption = None,
     json: JsonOption = False,
 ) -> None:
@@ -84,10 +95,11 @@ def gait(
     if frames < 1:
         raise UsageError(f"expected at least 1 frame, got {frames}")
     if energy:
-        _energy(load_robot(robot, robots), json)
+        _energy(load_robot(robot, robots), json, rrd)
         return
     if step and (json or phase is not None):
         raise UsageError("--step shows all phases to a person: it goes with neither --json nor --phase")
+    check_rrd(rrd, force)
     machine = load_robot(robot, robots)
     schedule = find_gait(machine, name, robots)
     walk = plan(
@@ -113,6 +125,7 @@ def gait(
         from kinlab.papers import footstep_as_printed
 
         printed = footstep_as_printed(walk)
+    write_rrd(rrd, force, lambda: _scene(walk))
     if json:
         document = answer.to_json(frames)
         if only is not None:
@@ -138,10 +151,19 @@ def gait(
             show_as_printed(printed)
 
 
-def _energy(machine: Any, json: bool) -> None:
+def _scene(walk: "Walk") -> "Recording":
+    from kinlab.scene import gait_scene
+
+    return gait_scene(walk)
+
+
+def _energy(machine: Any, json: bool, rrd: Path | None) -> None:
     """The paper's tables of energy and distance, and their model."""
+    from kinlab.errors import UsageError
     from kinlab.papers.energy import energy_of
 
+    if rrd:
+        raise UsageError("--energy shows tables, of which there is no picture in 3-D: leave --rrd out")
     grounds = energy_of(machine)
     if json:
         print_json({"robot": machine.name, "energy": [ground.to_json() for ground in grounds]})

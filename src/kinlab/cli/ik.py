@@ -1,19 +1,27 @@
 """`kinlab ik`: a target as joint angles, servo angles and commands, with the error at every depth."""
 
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from kinlab.cli.command import (
+    ForceOption,
     FrameOption,
     JsonOption,
     LimbOption,
     NumericCommand,
     RobotArgument,
     RobotsOption,
+    RrdOption,
+    check_rrd,
     command_app,
     print_json,
+    write_rrd,
 )
+
+if TYPE_CHECKING:
+    from kinlab.robots.target import TargetReport
+    from kinlab.scene import Recording
 
 app = command_app()
 
@@ -50,6 +58,8 @@ def ik(
     compare: Annotated[
         bool, typer.Option("--compare", help="Run this target through all methods, side by side.")
     ] = False,
+    rrd: RrdOption = None,
+    force: ForceOption = False,
     robots: RobotsOption = None,
     json: JsonOption = False,
 ) -> None:
@@ -70,10 +80,13 @@ def ik(
         raise UsageError(f"a target is three numbers X Y Z, got {len(target)}")
     if rpy is not None and yaw is not None:
         raise UsageError("--yaw DEG is short for --rpy 0 0 DEG: give one of the two")
-    if compare and (as_printed or every or method is not None):
-        raise UsageError("--compare shows every method by itself: leave --all, --as-printed and --method out")
+    if compare and (as_printed or every or method is not None or rrd):
+        raise UsageError(
+            "--compare shows every method by itself: leave --all, --as-printed, --method and --rrd out"
+        )
     if trace and method is None:
         raise UsageError("--trace shows the steps of a method: name one with --method")
+    check_rrd(rrd, force)
     machine = load_robot(robot, robots)
     which = machine.limb(limb)
     point = to_metres(target, unit)
@@ -93,6 +106,7 @@ def ik(
             raise typer.Exit(1)
         return
     answer = solve_target(machine, which, point, frame=frame, rpy=attitude, method=method)
+    write_rrd(rrd, force, lambda: _scene(answer))
     if json:
         document = answer.to_json(servos=servos)
         if as_printed:
@@ -107,3 +121,10 @@ def ik(
         show_answer(answer, every=every, servos=servos, as_printed=as_printed, trace=trace)
     if answer.chosen is None:
         raise typer.Exit(1)
+
+
+def _scene(answer: "TargetReport") -> "Recording":
+    from kinlab.papers import as_printed
+    from kinlab.scene import target_scene
+
+    return target_scene(answer, as_printed(answer.robot, answer.limb, answer.target, answer.rotation))

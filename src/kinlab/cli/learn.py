@@ -44,6 +44,8 @@ def _learn(
     their own; a teacher reproduces them by the name of the profile.
     """
     ctx.obj = (lang, profile, lessons)
+    if json and ctx.invoked_subcommand:
+        raise UsageError("--json goes behind the lesson or the command: kinlab learn leg-geometry --json")
     if ctx.invoked_subcommand is None:
         _list(ctx, None, None, None, json)
 

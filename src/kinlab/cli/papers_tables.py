@@ -15,6 +15,8 @@ from kinlab.papers.tables import PrintedTable
 STYLES = {"reproduced": "green", "explained": "yellow", "contradicted": "bold red", "measured": "dim"}
 MARKS = {"reproduced": "✓", "explained": "≈", "contradicted": "✗", "measured": "·"}
 PLAIN_MARKS = {"reproduced": "=", "explained": "~", "contradicted": "x", "measured": "."}
+# Columns that the summary takes with the verdicts' names above its counts; in fewer it has their marks.
+WIDE = 80
 MEANINGS = {
     "reproduced": "the paper's own inputs give the printed figure, at its printed precision",
     "explained": "they do not, and a named cause, itself computed, does",
@@ -25,8 +27,12 @@ MEANINGS = {
 
 def show_summary(reports: list[Report]) -> None:
     """Every paper in a line, and what the verdicts mean."""
-    found = table("", "paper", *((verdict, "") for verdict in VERDICTS), ("scan", ""), ("checked", ""))
-    found.padding = (0, 2, 0, 0)
+    wide = console().width >= WIDE
+    heads = VERDICTS if wide else [_mark(verdict).plain for verdict in VERDICTS]
+    found = table("", "paper", *((head, "") for head in heads), ("scan", ""), ("checked", ""))
+    found.padding = (0, 2 if wide else 1, 0, 0)
+    # Where there is little room a name may fold, and no count loses a digit.
+    found.columns[0].no_wrap = False
     for report in reports:
         coverage = report.coverage.to_json()
         counts = [Text(str(report.count(verdict)), style=STYLES[verdict]) for verdict in VERDICTS]

@@ -1,25 +1,32 @@
 """`kinlab walk`: a gait on the rig, and what it costs."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from kinlab.cli.command import (
+    ForceOption,
     GaitOption,
     JsonOption,
     NumericCommand,
     RobotArgument,
     RobotsOption,
+    RrdOption,
     SpeedOption,
     TurnOption,
+    check_rrd,
     command_app,
     print_json,
+    write_rrd,
 )
 
 if TYPE_CHECKING:
-    from kinlab.rig import Errand, Order, Rig, WalkResult
+    from kinlab.dynamixel import Passage
+    from kinlab.rig import Errand, Order, Rig, Sample, WalkResult
+    from kinlab.scene import Recording
 
 INTERRUPTED = 130
 # The speeds of krsri-hexapod, Table 2.
@@ -60,6 +67,12 @@ def walk(
     live: Annotated[
         bool, typer.Option("--live", help="A panel in real time: voltage, current, power, Wh, speed.")
     ] = False,
+    mirror: Annotated[
+        str | None,
+        typer.Option(metavar="HOST:PORT", help="Show every pose in a viewer that `kinlab view` has opened."),
+    ] = None,
+    rrd: RrdOption = None,
+    force: ForceOption = False,
     robots: RobotsOption = None,
     json: JsonOption = False,
 ) -> None:
@@ -84,8 +97,11 @@ def walk(
         )
     if gaits and name:
         raise UsageError("--compare names its gaits itself: --gait has no place beside it")
+    if (rrd or mirror) and (setting or gaits):
+        raise UsageError("--rrd and --mirror show one walk: they go with neither --set nor --compare")
     if csv:
         check_writable(csv)
+    check_rrd(rrd, force)
     machine = load_robot(robot, robots)
     first = find_gait(machine, gaits[0] if gaits else name, robots)
     order = Order(machine, first, speed / 1000, float(np.radians(turn)), distance / 1000, rate)
@@ -102,7 +118,9 @@ def walk(
     if setting:
         _sweep(sweep(order, setting[0], span(setting[1])), port, baud, csv, json)
         return
-    result = _one(prepare(order), port, baud, live)
+    packets: list[Passage] | None = [] if rrd else None
+    result = _one(prepare(order), port, baud, live, mirror, packets)
+    write_rrd(rrd, force, lambda: _scene(result, packets or ()))
     if csv:
         _save(csv, result.series())
     if json:
@@ -113,6 +131,12 @@ def walk(
         show_walk(result)
     if not (result.complete or live):
         raise typer.Exit(INTERRUPTED)
+
+
+def _scene(result: "WalkResult", packets: "Sequence[Passage]") -> "Recording":
+    from kinlab.scene import walk_scene
+
+    return walk_scene(result, packets)
 
 
 def _sweep(errands: Sequence["Errand"], port: str | None, baud: int, csv: Path | None, json: bool) -> None:
@@ -130,32 +154,76 @@ def _sweep(errands: Sequence["Errand"], port: str | None, baud: int, csv: Path |
     _finish(results, len(errands), stopped)
 
 
-def _one(errand: "Errand", port: str | None, baud: int, live: bool) -> "WalkResult":
-    """One walk; Ctrl-C ends it early, and what was measured until then counts."""
-    from contextlib import suppress
+def _one(
+    errand: "Errand",
+    port: str | None,
+    baud: int,
+    live: bool,
+    mirror: str | None,
+    packets: "list[Passage] | None",
+) -> "WalkResult":
+    """One walk; Ctrl-C ends it early, and what was measured until then counts.
+
+    Args:
+        mirror: the address of a viewer that shows it.
+        packets: takes what goes over the bus.
+    """
+    from contextlib import nullcontext, suppress
 
     from kinlab.cli.walk_live import Panel
     from kinlab.cli.walk_progress import progress
     from kinlab.dynamixel import RealClock
     from kinlab.rig import Record, Rig, Throttle, WalkResult, walk_on
 
+    if packets is not None:
+        from kinlab.scene import check_recordable
+
+        check_recordable(errand)
     samples: list[Any] = []
     throttle = Throttle(errand)
     show = Panel(errand, throttle) if live else progress([errand])
-    rig = Rig.open(errand.order.robot, port, baud, clock=RealClock() if live else None)
-    # An unfinished walk leaves the torque off: the rig's own `with` sees to it.
-    try:
-        with suppress(KeyboardInterrupt), rig, show as tell:
-            for sample in walk_on(rig, errand, lambda: throttle.tempo):
-                samples.append(sample)
-                tell(errand, sample)
-                if throttle.stopped:
-                    break
-    finally:
-        _warn(rig)
+    with nullcontext(lambda sample: None) if mirror is None else _mirrored(errand, mirror) as reflect:
+        rig = Rig.open(errand.order.robot, port, baud, clock=RealClock() if live else None)
+        if packets is not None:
+            rig.bus.tap = packets.append
+        # An unfinished walk leaves the torque off: the rig's own `with` sees to it.
+        try:
+            with suppress(KeyboardInterrupt), rig, show as tell:
+                for sample in walk_on(rig, errand, lambda: throttle.tempo):
+                    samples.append(sample)
+                    tell(errand, sample)
+                    reflect(sample)
+                    if throttle.stopped:
+                        break
+        finally:
+            _warn(rig)
     if not samples:
         raise KeyboardInterrupt
     return WalkResult.of(errand, Record(rig.wiring, samples), rig)
+
+
+@contextmanager
+def _mirrored(errand: "Errand", address: str) -> Iterator[Callable[["Sample"], None]]:
+    """A function that shows every tick in a viewer."""
+    from kinlab.errors import KinlabError
+    from kinlab.rig.wiring import Wiring
+    from kinlab.scene import Mirror
+
+    walk = errand.walk
+    wiring = Wiring.of(walk.robot, walk.robot.legs)
+    mirror = Mirror(walk.robot, address)
+
+    def show(sample: "Sample") -> None:
+        mirror.show(wiring.by_limb(sample.reading.q), walk.at(sample.way).body, sample.t)
+
+    try:
+        yield show
+    finally:
+        # A viewer that was closed meanwhile does not undo the walk.
+        try:
+            mirror.close()
+        except KinlabError as error:
+            typer.echo(f"kinlab: {error}", err=True)
 
 
 def _walked(

@@ -7,7 +7,15 @@ bus = Bus(MemoryPort(chain, SimulatedClock()))
 bus.write(1, "goal_position", "90deg")
 """
 
-from kinlab.dynamixel.bus import Bus, BusError, DamagedAnswerError, Found, NoAnswerError, RefusedError
+from kinlab.dynamixel.bus import (
+    Bus,
+    BusError,
+    DamagedAnswerError,
+    Found,
+    NoAnswerError,
+    Passage,
+    RefusedError,
+)
 from kinlab.dynamixel.chain import Chain, Faults, RealClock, SimulatedClock
 from kinlab.dynamixel.ports import Port, PortError, open_port
 from kinlab.dynamixel.ports.memory import MemoryPort
@@ -23,6 +31,7 @@ __all__ = [
     "Found",
     "MemoryPort",
     "NoAnswerError",
+    "Passage",
     "Port",
     "PortError",
     "RealClock",

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from kinlab.gait.motion import Motion
 from kinlab.gait.schedule import Phase, wave_gait, wave_margin
-from kinlab.gait.support import energy_margin, margins
+from kinlab.gait.support import energy_margin, hull, margins
 from kinlab.gait.walk import Walk
 from kinlab.kinematics.transforms import Array, rotation
 from kinlab.robots import Robot
@@ -96,6 +96,25 @@ class Stability:
         """Its distance to the boundary of the support polygon (...), metres, negative outside."""
         each = self.contacts.shape[-2] // self.down.shape[-1]
         return margins(self.contacts, self.zmp, np.repeat(self.down, each, axis=-1)).static
+
+    @cached_property
+    def over_ground(self) -> Array:
+        """The centre of mass (..., 3) in the ground frame, metres."""
+        return self.motion.walk.carried(self.motion.walk.travel(self.motion.t), self.centre)
+
+    @cached_property
+    def zmp_over_ground(self) -> Array:
+        """The zero moment point (..., 3) in the ground frame, metres."""
+        flat = np.concatenate([self.zmp, np.zeros((*self.zmp.shape[:-1], 1))], axis=-1)
+        return self.motion.walk.carried(self.motion.walk.travel(self.motion.t), flat)
+
+    def support(self, frame: int) -> Array:
+        """The corners (k, 3) of the support polygon of frame `frame` of (N,), counter-clockwise, ground frame."""
+        each = self.contacts.shape[-2] // self.down.shape[-1]
+        corners = hull(self.contacts[frame][np.repeat(self.down[frame], each)])
+        level = np.concatenate([corners, np.zeros((len(corners), 1))], axis=-1)
+        walk = self.motion.walk
+        return walk.carried(np.asarray(walk.travel(self.motion.t[frame])), level)
 
 
 def stability(motion: Motion, down: ArrayLike | None = None) -> Stability:

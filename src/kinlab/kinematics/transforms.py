@@ -70,6 +70,13 @@ def rotation_vector(R: ArrayLike) -> Array:
     return np.asarray(np.where(cosine[..., None] < 0, obtuse, acute))
 
 
+def quaternion(vector: ArrayLike) -> Array:
+    """The unit quaternion (..., 4), x y z w, of a rotation vector (..., 3): axis times angle, in rad."""
+    vector = np.asarray(vector, dtype=float)
+    half = np.linalg.norm(vector, axis=-1, keepdims=True) / 2
+    return np.concatenate([vector / 2 * np.sinc(half / np.pi), np.cos(half)], axis=-1)
+
+
 def homogeneous(R: ArrayLike, p: ArrayLike) -> Array:
     """The transform (..., 4, 4) with rotation `R` (..., 3, 3) and translation `p` (..., 3)."""
     R, p = np.asarray(R, dtype=float), np.asarray(p, dtype=float)

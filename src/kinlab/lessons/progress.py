@@ -27,6 +27,7 @@ PROFILE = "student"
 ENDING = ".jsonl"
 EVENTS = ("try", "hint", "shown", "reset")
 TRIES_BEFORE_SOLUTION = 3
+ELSEWHERE = f"${HOME} can name another folder for the progress"
 _NAME = re.compile(r"\w[\w.@-]{0,63}")
 
 
@@ -192,23 +193,28 @@ class Progress:
     def _add(self, event: Event | None) -> None:
         try:
             self.path.parent.mkdir(parents=True, exist_ok=True)
+            with locked(self.path):
+                self._append(event)
         except OSError as error:
-            raise FileError(f"{self.path.parent}: cannot be made: {error.strerror}") from None
-        with locked(self.path):
-            # Another window may have added to it.
-            if not self._load():
-                self._put_aside()
-            if event:
-                self.events.append(event)
-            # What is there already is not written anew: a long history costs no more than its bytes.
-            known = self._raw.decode() if self._raw else _line(self._head())
-            self._write(known + (_line(asdict(event)) if event else ""))
+            raise FileError(f"{self.path.parent}: cannot be made: {error.strerror}; {ELSEWHERE}") from None
+        except FileError as error:
+            raise FileError(f"{error}; {ELSEWHERE}") from None
+
+    def _append(self, event: Event | None) -> None:
+        # Another window may have added to it.
+        if not self._load():
+            self._put_aside()
+        # What is there already is not written anew: a long history costs no more than its bytes.
+        known = self._raw.decode() if self._raw else _line(self._head())
+        self._write(known + (_line(asdict(event)) if event else ""))
+        if event:
+            self.events.append(event)
 
     def _load(self) -> bool:
         """Take in the file, as much of it as is sound; whether all of it is."""
         try:
             raw = self.path.read_bytes()
-        except FileNotFoundError:
+        except (FileNotFoundError, NotADirectoryError):
             self._raw, self.events = b"", []
             return True
         except OSError as error:

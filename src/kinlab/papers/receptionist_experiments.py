@@ -8,19 +8,21 @@ import numpy as np
 
 from kinlab.control import Environment, PositionGains, SecondOrder
 from kinlab.dynamics import Mechanism
-from kinlab.dynamixel import Faults
+from kinlab.dynamixel import Faults, MemoryPort
 from kinlab.errors import UsageError
 from kinlab.kinematics.resolved_motion import Track
+from kinlab.names import resolve
 from kinlab.papers import receptionist_torques
 from kinlab.papers.equations import NONE
-from kinlab.papers.receptionist_line import misprint_note, singularities
+from kinlab.papers.receptionist_line import line, misprint_note, singularities
 from kinlab.rig.arm import ArmServos, Push, Record, RunawayError, Settings, Setup, run
 from kinlab.rig.arm.loop import KGF_CM, TABLE_4_1
-from kinlab.rig.arm.trace import TappedPort
+from kinlab.rig.arm.trace import script
 from kinlab.robots import Limb, Robot
 
 CONCLUSION_GAINS = PositionGains(3.8, 0.02)
 ENVIRONMENTS = {"table-4.1": TABLE_4_1, "conclusion": Environment(0.2, 9, 5, 9)}
+EXPERIMENTS = ("track", "comply", "observe")
 # "A little pressure against the motion" (section 4.2.2); neither force nor time is printed.
 PUSH = Push(0.4, 0.6, "hand", (-5.0, 0.0, 0.0))
 
@@ -114,23 +116,30 @@ def drive(
         raise UsageError(f"the chance that a byte is lost is at least 0 and less than 1, got {drop}")
     with ArmServos.emulated(robot, limb, track.q[0].tolist(), pushes, setup) as servos:
         servos.hold()
-        if drop and isinstance(servos.bus.port, TappedPort):
+        if drop and isinstance(servos.bus.port, MemoryPort):
             servos.bus.port.chain.faults = Faults(drop=drop)
         return run(servos, track, settings, tell)
 
 
+def experiment(robot: Robot, limb: Limb, name: str) -> Outcome:
+    """An experiment of chapter 4 as the paper has it: track, comply or observe.
+
+    Raises:
+        UsageError: no such experiment.
+    """
+    name = resolve(name, EXPERIMENTS, "experiment")
+    track, setup, settings = line(limb), Setup(), Settings("position" if name == "track" else "compliance")
+    if name == "comply":
+        return pushed(robot, limb, track, settings, setup)
+    record = drive(robot, limb, track, settings, setup)
+    if name == "observe":
+        return free_motion(settings, record)
+    return tracking(robot, limb, track, settings, setup, record)
+
+
 def one_cycle(robot: Robot, limb: Limb, track: Track, settings: Settings, setup: Setup, cycle: int) -> str:
     """The packets of one cycle, as a script for the packet sandbox."""
-    with ArmServos.emulated(robot, limb, track.q[0].tolist(), (), setup) as servos:
-        servos.hold()
-        port = servos.bus.port
-        assert isinstance(port, TappedPort), "an emulated arm is on a tapped port"
-
-        def listen(k: int, record: Record) -> None:
-            port.listening = k == cycle - 1
-
-        run(servos, track, settings, listen)
-        return port.script(robot.name)
+    return script(drive(robot, limb, track, settings, setup), cycle - 1, robot.name)
 
 
 def tracking(

@@ -23,6 +23,7 @@ class Sample:
 
     Attributes:
         t: since the first tick, s.
+        clock: what the bus's clock said, s.
         way: how far the path has come, s; `tempo`: how fast it goes, 1 for its own speed.
         planned: where each joint should have been when it was asked (J,), rad.
         reading: what the servos said.
@@ -32,6 +33,7 @@ class Sample:
     """
 
     t: float
+    clock: float
     way: float
     tempo: float
     planned: Array
@@ -94,7 +96,7 @@ def follow(rig: Rig, path: Path, rate: float, tempo: Callable[[], float] = lambd
             planned = path.angles(way + speed * (reading.at - now))
             watts = np.where(reading.missing, watts, reading.volts * reading.amps)
             joules += float(watts.sum()) * dt
-            yield Sample(now - start, way, speed, planned, reading, watts, joules, dict(rig.bus.alarms))
+            yield Sample(now - start, now, way, speed, planned, reading, watts, joules, dict(rig.bus.alarms))
             if way > path.end - INSTANT:
                 return
             tick = max(tick + 1, math.ceil((clock.now() - start) * rate - 1e-9))

@@ -115,6 +115,12 @@ class Wiring:
         """The joint angles at tick 0 (J,), rad."""
         return np.array([float(servo.joint(0)) for servo in self.servos])
 
+    def by_limb(self, values: Array) -> dict[str, Array]:
+        """Values of the joints (..., J), each limb's own (..., n) by its name."""
+        ends = np.cumsum([len(limb.joints) for limb in self.limbs])[:-1]
+        parts = np.split(values, ends, axis=-1)
+        return {limb.name: part for limb, part in zip(self.limbs, parts, strict=True)}
+
     def ticks(self, q: ArrayLike) -> Array:
         """Position commands (..., J) for joint angles (..., J) in rad.
 

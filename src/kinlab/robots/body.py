@@ -36,6 +36,19 @@ class BodyPose:
         return f"<BodyPose of {', '.join(self.legs)}: {'all' if self.reachable.all() else 'not all'} feet in reach>"
 
 
+def resting(robot: Robot) -> dict[str, Array]:
+    """Joint angles (n,) of every limb, rad: legs stand, other joints are as near zero as they can be."""
+    found = {}
+    for limb in robot.limbs.values():
+        lower, upper = limb.limits
+        found[limb.name] = (
+            np.clip(np.zeros(len(limb.joints)), lower, upper)
+            if limb.stance is None
+            else limb.ik(limb.stance).q
+        )
+    return found
+
+
 def body_pose(robot: Robot, xyz: ArrayLike, rpy: ArrayLike, feet: ArrayLike | None = None) -> BodyPose:
     """The legs' joint angles when the body moves by `xyz` and turns by `rpy` over fixed feet.
 

@@ -119,14 +119,7 @@ def workspace(
     if not 100 <= samples <= MOST_SAMPLES:
         raise UsageError(f"samples must be 100 to {MOST_SAMPLES}, got {samples}")
     rng = np.random.default_rng(0)
-    lower, upper = limb.limits
-    q = rng.uniform(lower, upper, (samples, len(lower)))
-    # A share of poses with joints straight or at a limit: there lie the extremes.
-    edges = np.clip(np.stack([lower, upper, np.zeros_like(lower)]), lower, upper)
-    q = np.where(rng.random(q.shape) < 0.2, edges[rng.integers(0, 3, q.shape), np.arange(len(lower))], q)
-    tips = chain.fk(limb.axes, limb.links, q)[:, :3, 3]
-    if limb.closed_form is not None:
-        tips = tips[inverse_kinematics(limb, tips).reachable]
+    tips = reached(limb, samples, rng)
     low, high = tips.min(axis=0), tips.max(axis=0)
     volume = error = None
     if limb.closed_form is not None:
@@ -196,3 +189,18 @@ def _nearest(places: Array, values: ArrayLike) -> Array:
     span = max(float(places[-1] - places[0]), 1e-12)
     index = np.rint((np.asarray(values, float) - places[0]) / span * (len(places) - 1))
     return np.asarray(np.clip(index, -1, len(places)), dtype=int)
+
+
+def reached(limb: Limb, samples: int, rng: np.random.Generator | None = None) -> Array:
+    """Places (k, 3) of the tip in up to `samples` random poses within the limits, limb frame, metres.
+
+    Soles of six-joint legs are held level, so that fewer places are left of their poses.
+    """
+    rng = rng or np.random.default_rng(0)
+    lower, upper = limb.limits
+    q = rng.uniform(lower, upper, (samples, len(lower)))
+    # A share of poses with joints straight or at a limit: there lie the extremes.
+    edges = np.clip(np.stack([lower, upper, np.zeros_like(lower)]), lower, upper)
+    q = np.where(rng.random(q.shape) < 0.2, edges[rng.integers(0, 3, q.shape), np.arange(len(lower))], q)
+    tips = chain.fk(limb.axes, limb.links, q)[:, :3, 3]
+    return tips if limb.closed_form is None else np.asarray(tips[inverse_kinematics(limb, tips).reachable])

@@ -20,6 +20,7 @@ FOUND = {finding.where: finding for finding in REPORT.findings}
         ("Table 2.1 address 0 initial", "12", 24, "explained"),  # the AX-12's
         ("Table 2.1 address 4 initial", "1", 34, "explained"),
         ("Table 2.1 address 9 initial", "3", 3, "reproduced"),  # 1023 = 3 * 256 + 255
+        ("Table 2.1 address 10 initial", "0", 0, "reproduced"),  # reserved: the RX-24F's sheet has nothing
         ("Table 2.1 address 11 initial", "85", 80, "explained"),
         ("Table 2.1 address 17 initial", "4", 36, "explained"),
         ("Table 2.1 address 34 copied from", "14", 14, "reproduced"),
@@ -39,6 +40,7 @@ FOUND = {finding.where: finding for finding in REPORT.findings}
         ("section 2.3.2, 512 in hexadecimal", "0x1ff", 512, "contradicted"),
         ("section 2.3.2, example, angle", "207.9", 594 * 300 / 1024, "explained"),  # 594 * 0.35
         ("section 2.3.2, example, checksum", "0x84", 255 - (1 + 5 + 3 + 0x1E + 0x52 + 2), "reproduced"),
+        ("section 2.3.2 e, supply", "12", 11.1, "explained"),  # three full cells
         ("section 2.3.2 f, bytes per ms at 1 Mbps", "125", 100, "explained"),  # 8 bits of 10
         ("section 2.5, timer clock", "15.625", 15625, "explained"),
         ("section 2.5, TCNT1", "0x64", 256 - 156.25, "reproduced"),
@@ -66,8 +68,14 @@ def test_every_initial_value_is_that_of_one_servo_or_the_other():
     assert len(initial) == 50 - 13 - 4  # thirteen are measured at power-on, four copied
     assert {f.verdict for f in initial} == {"reproduced", "explained"}
     assert [f.row for f in initial if f.verdict == "explained"] == [
-        f"address {n}" for n in (0, 4, 10, 11, 17, 18, 26, 27)
+        f"address {n}" for n in (0, 4, 11, 17, 18, 26, 27)
     ]
+
+
+def test_a_cause_shows_where_its_figure_comes_from():
+    assert "(38400 - 38461.54) / 38400 = -0.160 %" in FOUND["Table 2.2 value 34 error"].arithmetic
+    assert FOUND["Table 2.6 READ DATA value"].arithmetic.endswith("above it 1")
+    assert FOUND["Table 2.6 SYNC WRITE value"].arithmetic.endswith("6 + 1 = 7")
 
 
 def test_the_packets_are_those_of_the_codec():

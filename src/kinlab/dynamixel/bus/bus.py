@@ -1,12 +1,13 @@
 """The bus client: requests by register name, in ticks or degrees, and their answers."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from itertools import pairwise
 from types import TracebackType
 from typing import NamedTuple
 
 from kinlab.dynamixel.bus.conversation import Conversation
 from kinlab.dynamixel.bus.errors import DamagedAnswerError, NoAnswerError
+from kinlab.dynamixel.bus.passages import Passage
 from kinlab.dynamixel.codec.instructions import (
     BACKUP_KEY,
     BROADCAST,
@@ -87,6 +88,15 @@ class Bus:
     def alarms(self) -> dict[int, list[str]]:
         """Of each servo, what its last answer said about its state ("overload"); absent if all is well."""
         return self._talk.alarms
+
+    @property
+    def tap(self) -> Callable[[Passage], None] | None:
+        """Told of all that goes over the wire; set it to listen."""
+        return self._talk.tap
+
+    @tap.setter
+    def tap(self, tell: Callable[[Passage], None] | None) -> None:
+        self._talk.tap = tell
 
     def close(self) -> None:
         """Let go of the port."""

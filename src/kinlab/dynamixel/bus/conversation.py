@@ -1,8 +1,9 @@
 """One request and its answers: on the wire, in time, repeated where need be."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 from kinlab.dynamixel.bus.errors import DamagedAnswerError, NoAnswerError, RefusedError
+from kinlab.dynamixel.bus.passages import Passage
 from kinlab.dynamixel.chain.chain import wire_time
 from kinlab.dynamixel.codec.checks import crc16
 from kinlab.dynamixel.codec.instructions import ALERT, STATUS, error_names
@@ -24,6 +25,7 @@ class Conversation:
         retries: how often a request without an intact answer is repeated.
         echo: the adapter hears what it sends.
         alarms: of each servo, what its last answer said about its state; absent if all is well.
+        tap: told of all that passes.
     """
 
     def __init__(self, port: Port, retries: int, echo: bool) -> None:
@@ -31,10 +33,11 @@ class Conversation:
         self.retries = retries
         self.echo = echo
         self.alarms: dict[int, list[str]] = {}
+        self.tap: Callable[[Passage], None] | None = None
 
     def tell(self, packet: Packet) -> None:
         """Send what nobody answers."""
-        self.port.send(encode(packet))
+        self._send(encode(packet))
 
     def ask(self, packet: Packet, subject: str, count: int) -> Packet:
         """The answer, with `count` bytes of data, of one servo.
@@ -102,7 +105,7 @@ class Conversation:
     def _exchange(self, packet: Packet, window: float, count: int | None) -> tuple[list[bytes], bytes]:
         """The intact packets that follow an instruction until there are `count` of them, and all that came."""
         request = encode(packet)
-        self.port.send(request)
+        self._send(request)
         deadline = self.port.clock.now() + wire_time(len(request), self.port.baud) + window
         parser = StreamParser(packet.protocol)
         frames: list[bytes] = []
@@ -112,6 +115,8 @@ class Conversation:
             data = self.port.receive(deadline)
             if not data:
                 break
+            if self.tap:
+                self.tap(Passage(self.port.clock.now(), False, data))
             received += data
             if to_skip:
                 if len(received) < len(to_skip):
@@ -121,6 +126,11 @@ class Conversation:
             # Where an adapter echoes unasked, the instruction itself comes back first.
             frames += [f for f in parser.feed(data) if packet.protocol == 1 or f != request]
         return frames, received
+
+    def _send(self, data: bytes) -> None:
+        self.port.send(data)
+        if self.tap:
+            self.tap(Passage(self.port.clock.now(), True, data))
 
     def _judge(self, answer: Packet, subject: str) -> None:
         """Note alarms; refuse an answer that says the request failed."""

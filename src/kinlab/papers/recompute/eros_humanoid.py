@@ -82,7 +82,9 @@ def joints(table: PrintedTable) -> Iterator[Finding]:
                 yield JUDGE.cell(cell, number, f"row {number} of the table is joint {number}", remark=remark)
             else:
                 value = round(own[row, column], 6) + 0.0
-                said = f"the equations' position less that of the letters leaves {value:g} mm for it"
+                said = (
+                    f"the equations' position needs {value:g} mm here, besides the lengths that are letters"
+                )
                 yield JUDGE.cell(cell, value, f"{said}, over {len(q)} poses")
 
 

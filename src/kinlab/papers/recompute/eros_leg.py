@@ -38,6 +38,7 @@ def leg_samples(seed: int) -> Quantities:
     x, y, _ = np.moveaxis((level @ ankle[..., None])[..., 0], -1, 0)
     hip_to_ankle = np.linalg.norm(ankle, axis=-1)
     thigh = knee_at / THIGH
+    shank = (ankle - knee_at) / SHANK
     along = (ankle * thigh).sum(-1)
     names = {f"theta{i + 1}": q[:, i] for i in range(6)}
     return names | {
@@ -54,7 +55,7 @@ def leg_samples(seed: int) -> Quantities:
         "R2": hip_to_ankle,
         "gamma_a": np.arcsin(x / hip_to_ankle),
         "gamma_b": np.arccos(along / hip_to_ankle),
-        "gamma_c": np.pi - knee,
+        "gamma_c": np.arccos(-(thigh * shank).sum(-1)),
         "across": np.linalg.norm(np.cross(ankle, thigh), axis=-1),
         "along": along,
     }

@@ -88,23 +88,39 @@ def _arrived(s: Quantities) -> Array:
     return angles
 
 
-def _factors(s: Quantities, along: float) -> list[Array]:
-    """The five matrices of (3.9), with that entry in the first place of both translations."""
+def _factors(s: Quantities) -> list[Array]:
+    """What the five matrices of (3.9) stand for."""
     moves = [homogeneous(np.eye(3), [length, 0, 0]) for length in LENGTHS]
-    for move in moves:
-        move[0, 0] = along
     turns = [homogeneous(rotation(AXES[i], s["q"][:, i]), np.zeros(3)) for i in range(3)]
     return [turns[0], turns[1], moves[0], turns[2], moves[1]]
 
 
-def _factor(number: int, along: float = 1.0) -> Form:
+def _factor(number: int) -> Form:
     """What one of the five makes of the point (1, 2, 3) cm, (N, 3)."""
-    return lambda s: np.broadcast_to((_factors(s, along)[number] @ [1.0, 2, 3, 1])[..., :3], (COUNT, 3))
+    return lambda s: np.broadcast_to((_factors(s)[number] @ [1.0, 2, 3, 1])[..., :3], (COUNT, 3))
+
+
+def _printed_factor(number: int) -> Form:
+    """The same of the matrix entry by entry as printed, its last row left out."""
+
+    def form(s: Quantities) -> Array:
+        (c1, c0, c2), (s1, s0, s2) = np.cos(s["q"]).T, np.sin(s["q"]).T
+        L1, L2 = LENGTHS
+        rows = (
+            ((c1, -s1, 0, 0), (s1, c1, 0, 0), (0, 0, 1, 0)),
+            ((c0, 0, s0, 0), (0, 1, 0, 0), (-s0, 0, c0, 0)),
+            ((0, 0, 0, L1), (0, 1, 0, 0), (0, 0, 1, 0)),
+            ((c2, -s2, 0, 0), (s2, c2, 0, 0), (0, 0, 1, 0)),
+            ((0, 0, 0, L2), (0, 1, 0, 0), (0, 0, 1, 0)),
+        )[number]
+        return np.stack([np.zeros(COUNT) + a * 1 + b * 2 + c * 3 + d for a, b, c, d in rows], axis=-1)
+
+    return form
 
 
 def _in_turn(s: Quantities) -> Array:
     T: Array = np.eye(4)
-    for factor in _factors(s, 1.0):
+    for factor in _factors(s):
         T = np.asarray(T @ factor)
     return T
 
@@ -131,12 +147,12 @@ EQUATIONS = (
     ),
     *(
         Equation(
-            f"3.9, matrix {i + 1}", text, _factor(i, along), _factor(i), corrected, _factor(i),
+            f"3.9, matrix {i + 1}", text, _printed_factor(i), _factor(i), corrected, _factor(i),
             cause=f"{ZERO if corrected else 'as it should be'}. Here of the point (1, 2, 3) cm",
         )
-        for i, (text, along, corrected) in enumerate((
-            ("Rz(θ1)", 1.0, ""), ("Ry(θ0)", 1.0, ""), ("Tx(L1), beginning with 0", 0.0, "beginning with 1"),
-            ("Rz(θ2)", 1.0, ""), ("Tx(L2), beginning with 0", 0.0, "beginning with 1"),
+        for i, (text, corrected) in enumerate((
+            ("Rz(θ1)", ""), ("Ry(θ0)", ""), ("Tx(L1), beginning with 0", "beginning with 1"),
+            ("Rz(θ2)", ""), ("Tx(L2), beginning with 0", "beginning with 1"),
         ))
     ),
     Equation(
@@ -167,7 +183,8 @@ EQUATIONS = (
     Equation(
         "3.17", "J_ij = ∂f_i / ∂f_j", lambda s: np.ones(COUNT), lambda s: s["J"][:, 0, 0],
         "J_ij = ∂f_i / ∂θ_j", lambda s: _jacobian(s)[:, 0, 0], inputs=ANGLES,
-        cause="∂f_i / ∂f_j is 1 or 0; here J_11. The entries that follow are derivatives by θ1, θ2, θ0, in this order",
+        cause="∂f_i / ∂f_j is 1 or 0; here J_11. On paper or by the scan f stands for θ; the entries that follow are "
+        "derivatives by θ1, θ2, θ0, in this order",
     ),
     Equation(
         "3.17, entries", "J", _jacobian, _of("J"), unit=CM, inputs=ANGLES, cause=HERE,

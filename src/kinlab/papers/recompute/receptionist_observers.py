@@ -44,7 +44,7 @@ def _filtered_reaction(s: Quantities) -> Array:
 
 
 TORQUES = (("τ_int", "internal", NM), ("τ_ext", "external", NM), ("F + D θ'", "friction", NM))
-NOMINAL = "the n of K_tn is missing: with K_t itself the change ΔK_t counts twice"
+NOMINAL = "the n of K_tn is missing, on paper or by the scan: with K_t itself the change ΔK_t counts twice"
 
 EQUATIONS = (
     Equation(

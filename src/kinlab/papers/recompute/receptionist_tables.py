@@ -12,7 +12,9 @@ JUDGE = Judge(NAME)
 SERVO = load_table("RX-24F")
 CLOCK = 2_000_000
 # Where the AX-12's manual of 2006-06-14, section 3-4, differs from the RX-24F, by address.
-AX_12_OF_2006 = {0: 12, 4: 1, 10: 0, 11: 85, 17: 4, 18: 4, 26: 0, 27: 0}
+AX_12_OF_2006 = {0: 12, 4: 1, 11: 85, 17: 4, 18: 4, 26: 0, 27: 0}
+# The same manual of the reserved bytes, of which the RX-24F's sheet says nothing.
+RESERVED = {10: 0, 19: 0, 45: 0}
 # From bit 7 to bit 0: ATmega128 data sheet, USART registers.
 UCSRB = ("RXCIE", "TXCIE", "UDRIE", "RXEN", "TXEN", "UCSZ2", "RXB8", "TXB8")
 UCSRA = ("RXC", "TXC", "UDRE", "FE", "DOR", "PE", "U2X", "MPCM")
@@ -50,6 +52,10 @@ def control_table() -> Iterator[Finding]:
                 yield JUDGE.cell(cell, address, line, remark=_name_of(address))
             elif column == "hex":
                 yield _hex(cell, address)
+            elif column == "initial" and address in RESERVED:
+                own = RESERVED[address]
+                line = f"AX-12, in its manual of 2006: {own}; the RX-24F's sheet has nothing"
+                yield JUDGE.cell(cell, own, line)
             elif column == "initial":
                 whole = int(register.initial)
                 own = whole >> 8 * byte & 0xFF
@@ -82,12 +88,17 @@ def _of_ax_12(address: int) -> list[Cause]:
 def baud_rates() -> Iterator[Finding]:
     """Table 2.2: 2000000 / (value + 1), and how far that is from the usual rate."""
     rows = list(printed_table(NAME, "2.2").rows.values())
-    errors = []
+    errors, lines = [], []
     for cells in rows:
         goal, value = cells["goal"].figure.value, cells["address 4"].figure.value
-        errors.append((goal - CLOCK / (value + 1)) / goal * 100)
-    below = [*errors[1:], None]
-    for cells, error, next_error in zip(rows, errors, below, strict=True):
+        speed = CLOCK / (value + 1)
+        errors.append((goal - speed) / goal * 100)
+        lines.append(f"({goal:.0f} - {speed:.2f}) / {goal:.0f} = {errors[-1]:.3f} %")
+    below = [
+        [Cause("the error of the row below", error, arithmetic=line)]
+        for error, line in zip(errors[1:], lines[1:], strict=True)
+    ]
+    for cells, error, line, slip in zip(rows, errors, lines, [*below, []], strict=True):
         goal, value = cells["goal"].figure.value, cells["address 4"].figure.value
         speed = CLOCK / (value + 1)
         nearest = round(CLOCK / goal) - 1
@@ -95,8 +106,6 @@ def baud_rates() -> Iterator[Finding]:
         yield _hex(cells["hex"], value)
         yield JUDGE.cell(cells["set"], speed, f"{CLOCK} / ({value:.0f} + 1) = {speed:.2f}")
         yield JUDGE.measured(cells["goal"], "a usual rate, chosen")
-        slip = [] if next_error is None else [Cause("the error of the row below", next_error)]
-        line = f"({goal:.0f} - {speed:.2f}) / {goal:.0f} = {error:.3f} %"
         yield JUDGE.cell(cells["error"], error, line, slip)
 
 
@@ -161,8 +170,8 @@ def instructions() -> Iterator[Finding]:
     for row, cells in printed_table(NAME, "2.6").rows.items():
         code = by_name[CODES[row]]
         causes = [
-            Cause("the value of the row above", above),
-            Cause("counted on from the row above", above + 1),
+            Cause("the value of the row above", above, arithmetic=f"above it {above:g}"),
+            Cause("counted on from the row above", above + 1, arithmetic=f"{above:g} + 1 = {above + 1:g}"),
         ]
         yield JUDGE.cell(cells["value"], code, f"Protocol 1.0: {CODES[row]} is {code:#04x} = {code}", causes)
         above = cells["value"].figure.value

@@ -13,7 +13,7 @@ from kinlab.dynamixel.codec.packets import Packet, encode, status
 from kinlab.dynamixel.tables import load_table
 from kinlab.kinematics.shoulder_arm import shoulder_arm_ik
 from kinlab.papers.recompute.finding import Cause, Finding
-from kinlab.papers.recompute.receptionist_tables import CLOCK, JUDGE, NAME, SERVO
+from kinlab.papers.recompute.receptionist_tables import AX_12_OF_2006, CLOCK, JUDGE, NAME, SERVO
 from kinlab.papers.tables import printed_table
 
 STEPS, RANGE_DEG = 1024, 300
@@ -48,13 +48,16 @@ def specifications() -> Iterator[Finding]:
         [Cause("1 N m taken as 10 kgf cm", SERVO.stall_nm * 10, arithmetic=f"{SERVO.stall_nm} * 10 = 26")],
     )  # fmt: skip
     yield JUDGE.figure(f"{where}, stall current", "2.4", SERVO.stall_a, "A", f"RX-24F: {SERVO.stall_a} A")
+    coldest, older = -5, AX_12_OF_2006[SERVO.find("temperature_limit").address]
     yield JUDGE.figure(
-        f"{where}, running temperature, lowest", "-56", -5, "degC", "RX-24F: -5 degC",
-        [Cause("the degree sign behind -5 was read as a 6", -56)], damaged=True,
+        f"{where}, running temperature, lowest", "-56", coldest, "degC", f"RX-24F: {coldest} degC",
+        [Cause("the degree sign behind -5 was read as a 6", float(f"{coldest}6"),
+               arithmetic=f"{coldest} and a 6: {coldest}6")], damaged=True,
     )  # fmt: skip
     yield JUDGE.figure(
         f"{where}, running temperature, highest", "856", float(SERVO.find("temperature_limit").initial), "degC",
-        "RX-24F: 80 degC", [Cause("the degree sign behind 85 was read as a 6; 85 is the AX-12's", 856)], damaged=True,
+        "RX-24F: 80 degC", [Cause("the degree sign behind 85 was read as a 6; 85 is the AX-12's", float(f"{older}6"),
+               arithmetic=f"{older} and a 6: {older}6")], damaged=True,
     )  # fmt: skip
     initial = printed_table(NAME, "2.1").rows["address 4"]["initial"].figure.value
     own = CLOCK / (initial + 1)
@@ -102,7 +105,9 @@ def protocol() -> Iterator[Finding]:
         item = SERVO.find(register)
         own = item.scale if "step" in place else float(item.high)
         older = (
-            [Cause("the AX-12's, in its manual of 2006", 254)] if register == "cw_compliance_margin" else []
+            [Cause("the AX-12's, in its manual of 2006", 254, arithmetic="AX-12: 254")]
+            if register == "cw_compliance_margin"
+            else []
         )
         yield JUDGE.figure(f"{where}, {place}", text, own, "", f"RX-24F, {item.title}: {own:g}", older)
     punch = float(SERVO.find("punch").initial)
@@ -192,6 +197,8 @@ def settings() -> Iterator[Finding]:
     )
     yield JUDGE.figure(
         f"{where} e, supply", "12", 11.1, "V", "section 3.1.2: the battery's 11.1 V feed the servos directly",
+        [Cause("what three cells give while they are full, without decimals; 11.1 V is their nominal voltage",
+               3 * 4.2, cut=True, arithmetic="charged 3 * 4.2 = 12.6")],
         remark="the 26 kgf cm of the same paragraph are those at 12 V",
     )  # fmt: skip
     framed = 1e6 / (8 + 2) / 1000
@@ -290,6 +297,7 @@ def references() -> Iterator[Finding]:
         ("section 4.2.1, the disturbance", "3.3", 2, 22, 0, "τ_disturbance is (2.22), and there is no (3.3)"),
     ):
         own, earlier = f"{chapter}.{number}", f"{text[0]}.{number - less}"
-        reading = f"its number before {less} equations were put in", text == earlier
+        moved = "" if text[0] == str(chapter) else f", in what was then chapter {text[0]}"
+        reading = f"its number before {less} equations were put in{moved}", text == earlier
         line = f"{why}; {number} - {less} = {number - less}" if reading[1] else why
         yield JUDGE.claim(f"{where}: its number", f"({text})", f"({own})", text == own, line, reading=reading)

@@ -1,6 +1,6 @@
 """Udiebot (2018), recomputed: Tables 1 to 6, and the figures that are quoted of them."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 import numpy as np
 
@@ -75,11 +75,14 @@ def femur() -> Finding:
 def search(table: PrintedTable) -> Iterator[Finding]:
     """One of Tables 4 to 6: targets, angles, forward kinematics, errors, and their averages."""
     lengths = tuple(printed_table(NAME, "2").column("length") / 10)
+    before: dict[str, Cell] = {}
     for cells in _rows(table):
         for axis in AXES:
             yield JUDGE.measured(cells[axis], "a place of the foot, chosen by the authors")
         yield from _angles(cells, lengths)
-        yield from _forward(cells, lengths)
+        copied = (table.number, cells["x"].row) == COPIED
+        yield from _forward(cells, lengths, _copied(cells, before, lengths) if copied else {})
+        before = cells
         yield from _errors(cells)
     yield from JUDGE.averages(table, REMARKS.get(table.number))
     yield from _percentages(table)
@@ -127,15 +130,24 @@ def _angles(cells: dict[str, Cell], lengths: tuple[float, ...]) -> Iterator[Find
         )
 
 
-def _forward(cells: dict[str, Cell], lengths: tuple[float, ...]) -> Iterator[Finding]:
-    """Forward kinematics of the printed angles: on the leg of Table 2, and on the tables' without a coxa."""
-    degrees = [cells[f"theta{k}"].figure.value for k in (1, 2, 3)]
+def _forward(
+    cells: dict[str, Cell], lengths: tuple[float, ...], slips: Mapping[str, Cause]
+) -> Iterator[Finding]:
+    """Forward kinematics of the printed angles: on the leg of Table 2, and on the tables' without a coxa.
+
+    Args:
+        cells: of a row.
+        lengths: coxa, femur and tibia, cm.
+        slips: a cause that this row alone has, by axis.
+    """
+    degrees = _degrees(cells)
     alpha, beta, gamma = np.radians(degrees)
     coxa, f, t = lengths
     a, b, both = f"{degrees[0]:g}", f"{degrees[1]:g}", f"{degrees[1] + degrees[2]:.6g}"
     reach, up = f * np.cos(beta) + t * np.cos(beta + gamma), f * np.sin(beta) + t * np.sin(beta + gamma)
     out = f"{f:g} cos {b} + {t:g} cos {both}"
     table, row = cells["x"].table, cells["x"].row
+    slip = {axis: [slips[axis]] if axis in slips else [] for axis in AXES}
     for axis, share, turn in (("x", np.cos(alpha), f" cos {a}"), ("z", np.sin(alpha), f" sin {a}")):
         own, bare = float((coxa + reach) * share), float(reach * share)
         cause = Cause(
@@ -143,25 +155,46 @@ def _forward(cells: dict[str, Cell], lengths: tuple[float, ...]) -> Iterator[Fin
             arithmetic=f"({out}){turn} = {bare:.4f}",
         )  # fmt: skip
         yield JUDGE.cell(
-            cells[f"fk {axis}"], own, f"({coxa:g} + {out}){turn} = {own:.4f}", [cause],
+            cells[f"fk {axis}"], own, f"({coxa:g} + {out}){turn} = {own:.4f}", [cause, *slip[axis]],
             UNEXPLAINED.get((table, row, axis), ""), DECIMALS,
         )  # fmt: skip
         if axis == "x":
             line = f"{f:g} sin {b} + {t:g} sin {both} = {up:.4f}"
             remark = UNEXPLAINED.get((table, row, "y"), LEFT_OUT if cells["fk y"].figure.value == 0 else "")
-            causes = [cut(float(up), DECIMALS)]
+            causes = [cut(float(up), DECIMALS), *slip["y"]]
             yield JUDGE.cell(cells["fk y"], float(up), line, causes, remark, DECIMALS)
 
 
+def _copied(
+    cells: dict[str, Cell], before: dict[str, Cell], lengths: tuple[float, ...]
+) -> Mapping[str, Cause]:
+    """Where the foot is with the knee of the row before, by axis."""
+    a, b, _ = _degrees(cells)
+    both = b + _degrees(before)[2]
+    alpha, beta, gamma = np.radians([a, b, both])
+    _, f, t = lengths
+    reach, up = float(f * np.cos(beta) + t * np.cos(gamma)), float(f * np.sin(beta) + t * np.sin(gamma))
+    out, aloft = (f"{f:g} {s} {b:g} + {t:g} {s} {both:.6g}" for s in ("cos", "sin"))
+    x, z = float(reach * np.cos(alpha)), float(reach * np.sin(alpha))
+    name = "no coxa, θ3 of the row before, cut after three decimals"
+    return {
+        "x": Cause(name, x, cut=True, decimals=DECIMALS, arithmetic=f"({out}) cos {a:g} = {x:.4f}"),
+        "y": Cause(
+            "θ3 of the row before, cut after three decimals, without its sign", abs(up),
+            cut=True, decimals=DECIMALS, arithmetic=f"{aloft} = {up:.4f}",
+        ),
+        "z": Cause(name, z, cut=True, decimals=DECIMALS, arithmetic=f"({out}) sin {a:g} = {z:.4f}"),
+    }  # fmt: skip
+
+
+def _degrees(cells: dict[str, Cell]) -> list[float]:
+    return [cells[f"theta{k}"].figure.value for k in (1, 2, 3)]
+
+
 LEFT_OUT = "0 is the target's y; rows 6, 9 and 10 of the same column have the computed -0.016 and -0.017"
-NEIGHBOUR = (
-    "with θ1 of this row and the knee of row 7, -59.31, the three figures together follow from θ2 = 30.587, "
-    "which stands nowhere"
-)
-UNEXPLAINED = {
-    ("5", "row 1", "x"): "the target's x; it belongs to an error of 0 in its row",
-    **{("6", "row 8", axis): NEIGHBOUR for axis in AXES},
-}
+UNEXPLAINED = {("5", "row 1", "x"): "the target's x; it belongs to an error of 0 in its row"}
+# Its forward kinematics was given the knee of the row before.
+COPIED = ("6", "row 8")
 
 
 def _errors(cells: dict[str, Cell]) -> Iterator[Finding]:

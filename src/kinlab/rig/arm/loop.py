@@ -106,13 +106,18 @@ def run(
         RunawayError: the loop diverged.
         KinlabError: a servo has not answered for PATIENCE cycles in a row.
     """
-    record = Record.empty(servos.limb, track, settings.dt)
+    pushes = servos.world.pushes if servos.world else ()
+    record = Record.empty(servos.limb, track, settings.dt, servos.bus.port.clock.now(), pushes)
     loop = Loop(servos, track, settings, record.causes)
-    for k in range(len(track.q)):
-        record.note(k, loop.cycle(k))
-        if tell:
-            tell(k, record)
-        loop.wait()
+    servos.bus.tap = record.packets.append
+    try:
+        for k in range(len(track.q)):
+            record.note(k, loop.cycle(k))
+            if tell:
+                tell(k, record)
+            loop.wait()
+    finally:
+        servos.bus.tap = None
     return record
 
 

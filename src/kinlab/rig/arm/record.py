@@ -8,9 +8,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinlab.dynamixel.bus import Passage
 from kinlab.files import write_whole
 from kinlab.kinematics.resolved_motion import Track
 from kinlab.kinematics.transforms import Array
+from kinlab.rig.arm.push import Push
 from kinlab.rig.arm.world import World
 from kinlab.robots import Limb
 
@@ -75,6 +77,9 @@ class Record:
             disturbance and reaction (the observers), pushed (what hands really do; NaN where nobody knows).
             All but pushed count as the servo does: positive is what it gives, or what resists it.
         causes: why answers were missed, and how often.
+        began: when the motion began, s on the bus's clock.
+        packets: what went over the bus meanwhile.
+        pushes: the hands that pushed; empty too where the arm is real, and nobody knows.
     """
 
     limb: Limb
@@ -87,14 +92,20 @@ class Record:
     angles: dict[str, Array]
     torques: dict[str, Array]
     causes: dict[str, int] = field(default_factory=dict)
+    began: float = 0.0
+    packets: list[Passage] = field(default_factory=list)
+    pushes: tuple[Push, ...] = ()
 
     @classmethod
-    def empty(cls, limb: Limb, track: Track, dt: float) -> "Record":
+    def empty(
+        cls, limb: Limb, track: Track, dt: float, began: float = 0.0, pushes: tuple[Push, ...] = ()
+    ) -> "Record":
         """A record to be filled by `note`."""
         count, n = track.q.shape
         return cls(
             limb, track, dt, np.zeros(count), np.zeros(count), np.zeros((count, n), bool), np.zeros(count),
             {name: np.zeros((count, n)) for name in ANGLES}, {name: np.zeros((count, n)) for name in TORQUES},
+            began=began, pushes=pushes,
         )  # fmt: skip
 
     def note(self, k: int, moment: Moment) -> None:

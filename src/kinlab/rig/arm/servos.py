@@ -6,13 +6,12 @@ from contextlib import suppress
 from dataclasses import dataclass
 from types import TracebackType
 
-from kinlab.dynamixel import Bus, BusError, Chain, PortError
+from kinlab.dynamixel import Bus, BusError, Chain, MemoryPort, PortError
 from kinlab.dynamixel.outfit import worn_by
 from kinlab.dynamixel.ports import open_port
 from kinlab.dynamixel.tables import load_table
 from kinlab.errors import KinlabError, UsageError
 from kinlab.rig.arm.push import Push
-from kinlab.rig.arm.trace import TappedPort
 from kinlab.rig.arm.world import World, WorldClock
 from kinlab.robots import Limb, Robot
 
@@ -98,7 +97,7 @@ class ArmServos:
         chain = Chain.of(worn_by(robot))
         world = World(limb, chain, pushes)
         world.place(start)
-        port = TappedPort(chain, WorldClock(chain, world))
+        port = MemoryPort(chain, WorldClock(chain, world))
         return cls(limb, Bus(port, protocol=1), setup or Setup(), world)
 
     @classmethod

@@ -31,6 +31,7 @@ class World:
             UsageError: a joint has no servo, or a push acts where there is nothing.
         """
         self.mechanism = Mechanism.of(limb)
+        self.pushes = tuple(pushes)
         self._equations = motion_equations(self.mechanism)
         self._pushes = [(p, contact_equations(self.mechanism, p.contact(limb))) for p in pushes]
         self._motors, self._zeros, self._signs = [], [], []

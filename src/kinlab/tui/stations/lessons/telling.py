@@ -65,7 +65,7 @@ def _about(course: Course, lesson: Lesson, progress: Progress, language: str, sa
 
 
 def page(course: Course, seat: Seat, say: Say) -> list[Block]:
-    """What there is to read before the exercise of now; at the end, how the lesson went."""
+    """What there is to read for the exercise of now; at the end, how the lesson went."""
     found = []
     lesson, sitting = seat.sitting.lesson, seat.sitting
     if seat.at == 0:
@@ -74,7 +74,8 @@ def page(course: Course, seat: Seat, say: Say) -> list[Block]:
         goals = lesson.goals.get(sitting.language, lesson.goals["en"])
         found.append(Block("\n".join((say("goals"), *(f"- {goal}" for goal in goals))), style=QUIET))
     step = seat.steps[seat.at]
-    for part in step.parts:
+    # What belongs to two exercises stands before the first.
+    for part in next((s.parts for s in reversed(seat.steps[: seat.at + 1]) if s.parts), ()):
         if isinstance(part, Figure):
             found.append(Block(figure=part))
         else:

@@ -1,0 +1,185 @@
+"""`kinlab view`: a robot, a target, a gait or an experiment in 3-D."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from kinlab.cli.command import (
+    ForceOption,
+    FrameOption,
+    JsonOption,
+    LimbOption,
+    NumericCommand,
+    RobotArgument,
+    RobotsOption,
+    SpeedOption,
+    TurnOption,
+    check_rrd,
+    command_app,
+    print_json,
+    write_rrd,
+)
+
+if TYPE_CHECKING:
+    from kinlab.robots import Robot
+    from kinlab.scene import Recording
+
+SPEED, CYCLES = 20.0, 3
+
+app = command_app()
+
+
+@app.command(
+    cls=NumericCommand, epilog="Example: kinlab view krsri-hexapod --gait wave --speed 20 --save walk.rrd"
+)
+def view(
+    robot: RobotArgument,
+    limb: LimbOption = None,
+    target: Annotated[
+        tuple[float, float, float] | None,
+        typer.Option("--target", metavar="X Y Z", help="A target of the limb, as `kinlab ik` takes it."),
+    ] = None,
+    frame: FrameOption = "limb",
+    unit: Annotated[str, typer.Option("--unit", "-u", help="Unit of the target: mm, cm or m.")] = "mm",
+    gait: Annotated[
+        str | None, typer.Option("--gait", "-g", metavar="NAME", help="A gait of its kind.")
+    ] = None,
+    speed: SpeedOption = SPEED,
+    turn: TurnOption = 0.0,
+    cycles: Annotated[int, typer.Option(metavar="N", help="Of the gait.")] = CYCLES,
+    arm: Annotated[
+        str | None,
+        typer.Option(metavar="EXPERIMENT", help="One of `kinlab arm`: track, comply or observe."),
+    ] = None,
+    frames: Annotated[bool, typer.Option("--frames", help="Every frame as three arrows.")] = False,
+    workspace: Annotated[
+        bool, typer.Option("--workspace", help="What the limb reaches, as a cloud.")
+    ] = False,
+    save: Annotated[
+        Path | None, typer.Option(metavar="FILE.rrd", help="Keep it; nothing opens unless asked.")
+    ] = None,
+    force: ForceOption = False,
+    spawn: Annotated[
+        bool, typer.Option("--spawn", help="Open rerun's window: what happens without --save or --serve.")
+    ] = False,
+    serve: Annotated[
+        bool, typer.Option("--serve", help="Show it in the browser, from this machine alone.")
+    ] = False,
+    port: Annotated[
+        int, typer.Option(help="Where the viewer takes live data, see `kinlab walk --mirror`.")
+    ] = 9876,
+    page_port: Annotated[int, typer.Option(help="Of the page of --serve.")] = 9090,
+    robots: RobotsOption = None,
+    json: JsonOption = False,
+) -> None:
+    """See it in 3-D: a robot, a target, a gait or an experiment, in rerun.
+
+    Without a subject the robot stands. Scrub `time` or `phase`; drag to turn,
+    right-drag to move, scroll to come nearer. Needs the extra kinlab[view].
+    """
+    import signal
+    from contextlib import suppress
+
+    from kinlab.errors import UsageError
+    from kinlab.robots import load_robot
+    from kinlab.scene import View, check_viewer, viewing
+
+    subject = _subject({"--target": target, "--gait": gait, "--arm": arm})
+    for option, given, subjects in (
+        ("--limb", limb, ("", "--target", "--arm")),
+        ("--workspace", workspace, ("", "--target")),
+        ("--frame", frame != "limb", ("--target",)),
+        ("--unit", unit != "mm", ("--target",)),
+        ("--speed", speed != SPEED, ("--gait",)),
+        ("--turn", turn, ("--gait",)),
+        ("--cycles", cycles != CYCLES, ("--gait",)),
+    ):
+        if given and subject not in subjects:
+            raise UsageError(f"{option} says nothing about {subject or 'a robot that stands'}")
+    if spawn and serve:
+        raise UsageError("--spawn opens a window, --serve a page: ask for one of them")
+    how = View(serve, port, page_port) if spawn or serve or not save else None
+    if how:
+        check_viewer(how)
+    check_rrd(save, force, "--save")
+    machine = load_robot(robot, robots)
+    reached = True
+    if target is not None:
+        recording, reached = _target(machine, limb, target, frame, unit, frames=frames, workspace=workspace)
+    elif gait is not None:
+        recording = _gait(machine, gait, speed, turn, cycles, frames, robots)
+    elif arm is not None:
+        recording = _experiment(machine, limb, arm, frames)
+    else:
+        from kinlab.scene import robot_scene
+
+        which = machine.limb(limb) if limb else None
+        recording = robot_scene(machine, which, frames=frames, workspace=workspace)
+    size = write_rrd(save, force, lambda: recording)
+    if json:
+        page = how.page if how and serve else None
+        file = None if save is None else str(save)
+        what = subject.removeprefix("--") or "robot"
+        print_json({"robot": machine.name, "subject": what, "file": file, "bytes": size, "page": page})
+    if how:
+        # However it is ended, the viewer ends with it.
+        signal.signal(signal.SIGTERM, signal.default_int_handler)
+        with suppress(KeyboardInterrupt), viewing(recording, how) as viewer:
+            where = f"open {how.page}   Ctrl-C ends" if serve else "close the window, or press Ctrl-C, to end"
+            typer.echo(f"kinlab: {where}", err=True)
+            viewer.wait()
+    if not reached:
+        raise typer.Exit(1)
+
+
+def _subject(asked: dict[str, Any]) -> str:
+    """The one option of `asked` that is given; "" where none is."""
+    from kinlab.errors import UsageError
+
+    given = [option for option, value in asked.items() if value is not None]
+    if len(given) > 1:
+        raise UsageError(f"{' and '.join(given)} are pictures of their own: ask for one of them")
+    return given[0] if given else ""
+
+
+def _target(
+    machine: "Robot", limb: str | None, target: Any, frame: str, unit: str, **more: bool
+) -> "tuple[Recording, bool]":
+    """The scene of a target, and whether it is reached."""
+    from kinlab.papers import as_printed
+    from kinlab.robots.target import solve_target
+    from kinlab.scene import target_scene
+    from kinlab.units import to_metres
+
+    answer = solve_target(machine, machine.limb(limb), to_metres(target, unit), frame=frame)
+    if answer.chosen is None:
+        typer.echo(f"kinlab: not reached: {answer.reason}", err=True)
+    printed = as_printed(machine, answer.limb, answer.target, answer.rotation)
+    return target_scene(answer, printed, **more), answer.chosen is not None
+
+
+def _gait(
+    machine: "Robot", name: str, speed: float, turn: float, cycles: int, frames: bool, robots: Path | None
+) -> "Recording":
+    import numpy as np
+
+    from kinlab.errors import UsageError
+    from kinlab.gait import assess, find_gait, plan
+    from kinlab.scene import gait_scene
+
+    if not 1 <= cycles <= 100:
+        raise UsageError(f"--cycles is a number from 1 to 100, got {cycles}")
+    walk = plan(machine, find_gait(machine, name, robots), forward=speed / 1000, turn=float(np.radians(turn)))
+    assess(walk)
+    return gait_scene(walk, cycles=cycles, frames=frames)
+
+
+def _experiment(machine: "Robot", limb: str | None, name: str, frames: bool) -> "Recording":
+    from kinlab.errors import UsageError
+    from kinlab.papers.receptionist_experiments import experiment
+    from kinlab.scene import arm_scene
+
+    if machine.paper != "receptionist-arm":
+        raise UsageError(f"--arm shows the experiments of the receptionist-arm, not of {machine.name}")
+    return arm_scene(machine, experiment(machine, machine.limb(limb), name), frames=frames)

@@ -1,0 +1,166 @@
+"""Which views open, and how they are arranged: one blueprint for each subject."""
+
+from typing import Any
+
+import numpy as np
+
+from kinlab.kinematics.transforms import Array
+from kinlab.robots import Robot
+from kinlab.robots.body import resting
+from kinlab.scene.bus import BUS
+from kinlab.scene.recording import TIME, load_rerun, part
+from kinlab.scene.tree import WORLD, stood
+from kinlab.units import to_mm
+
+ANSWER = "answer"
+
+
+def _rrb() -> Any:
+    return load_rerun().blueprint
+
+
+def _space(around: Array, name: str, root: str = WORLD, growing: tuple[str, ...] = ()) -> Any:
+    """A 3-D view of the entities under `root`, from the front right.
+
+    Args:
+        around: places (k, 3), metres, that shall be in the picture.
+        growing: entities of which all is shown that came until now.
+    """
+    rr, rrb = load_rerun(), _rrb()
+    low, high = to_mm(around.min(axis=0)), to_mm(around.max(axis=0))
+    middle, size = (low + high) / 2, float(np.linalg.norm(high - low))
+    until_now = rrb.VisibleTimeRanges(
+        timeline=TIME,
+        start=rrb.TimeRangeBoundary.infinite(),
+        end=rrb.TimeRangeBoundary.cursor_relative(seconds=0),
+    )
+    eye = rrb.EyeControls3D(
+        position=middle + size * np.array([0.62, -0.72, 0.5]), look_target=middle, eye_up=(0, 0, 1)
+    )
+    return rrb.Spatial3DView(
+        origin=f"/{root}",
+        name=f"{name} [mm]",
+        eye_controls=eye,
+        line_grid=rrb.LineGrid3D(spacing=50.0, stroke_width=0.5),
+        overrides={path: [rr.LineStrips3D.from_fields().visualizer(), until_now] for path in growing},
+    )
+
+
+def _resting(robot: Robot) -> Array:
+    """The joints and tips (k, 3) of a robot that stands or rests, metres, over the ground."""
+    body = np.concatenate(
+        [robot.limbs[name].mount @ robot.limbs[name].frames(q) for name, q in resting(robot).items()]
+    )
+    return np.asarray((stood(robot) @ body)[:, :3, 3])
+
+
+def _walked(robot: Robot, body: Array) -> Array:
+    """The same, wherever its body comes (F, 4, 4), from the first frame to the last."""
+    rest = _resting(robot) - stood(robot)[:3, 3]
+    return np.concatenate([rest + place for place in body[[0, -1], :3, 3]])
+
+
+def _plot(origin: str, name: str, legend: bool = False) -> Any:
+    """Curves, their names beside them, or where they are pointed at."""
+    rrb = _rrb()
+    return rrb.TimeSeriesView(origin=origin, name=name, plot_legend=rrb.PlotLegend(visible=legend))
+
+
+def _blueprint(view: Any, timeline: str | None = TIME) -> Any:
+    rrb = _rrb()
+    state = "collapsed" if timeline else "hidden"
+    return rrb.Blueprint(view, rrb.TimePanel(timeline=timeline, state=state), collapse_panels=True)
+
+
+def leg(robot: Robot, answer: bool) -> Any:
+    """A limb: the robot; beside it, where there is one, the answer in numbers."""
+    rrb = _rrb()
+    space = _space(_resting(robot), robot.name)
+    if not answer:
+        return _blueprint(space, None)
+    text = rrb.TextDocumentView(origin=f"/{ANSWER}", name="angles and errors")
+    return _blueprint(rrb.Horizontal(space, text, column_shares=[3, 2]), None)
+
+
+def bus(spaces: list[Any], paths: list[str]) -> Any:
+    """A bus: its packets over the robot that they move."""
+    rrb = _rrb()
+    log = rrb.TextLogView(origin="/", contents=[f"/{path}" for path in paths], name="packets")
+    return rrb.Vertical(log, rrb.Horizontal(*spaces), name="bus")
+
+
+def gait(robot: Robot, body: Array) -> Any:
+    """A gait as it is planned: the robot, who stands, angles, speeds and margins."""
+    rrb = _rrb()
+    curves = rrb.Vertical(
+        rrb.StateTimelineView(origin="/legs", name="who stands"),
+        _plot("/margins", "stability margins [mm]", legend=True),
+        _plot("/angles", "joint angles [deg]"),
+        _plot("/speeds", "joint speeds [deg/s]"),
+        row_shares=[4, 2, 2, 2],
+    )
+    return _blueprint(rrb.Horizontal(_walking(robot, body), curves, column_shares=[3, 2]))
+
+
+def walk(robot: Robot, body: Array, packets: bool) -> Any:
+    """A walk that was measured: as the gait, with loads, energy and tracking error; the bus in a tab of its own."""
+    rrb = _rrb()
+    measured = rrb.Vertical(
+        rrb.StateTimelineView(origin="/legs", name="who stands"),
+        _plot("/tracking", "foot off its place [mm]"),
+        _plot("/loads", "loads [% of stall torque]"),
+        rrb.Tabs(
+            _plot("/energy", "energy [Wh]"),
+            _plot("/power", "power [W]"),
+            _plot("/margins", "stability margins [mm]", legend=True),
+        ),
+        rrb.Tabs(_plot("/angles", "joint angles [deg]"), _plot("/speeds", "joint speeds [deg/s]")),
+        row_shares=[4, 2, 2, 2, 2],
+    )
+    whole = rrb.Horizontal(_walking(robot, body), measured, column_shares=[3, 2], name="walk")
+    return _blueprint(rrb.Tabs(whole, bus([_walking(robot, body)], [BUS])) if packets else whole)
+
+
+def _walking(robot: Robot, body: Array) -> Any:
+    trails = tuple(f"/{WORLD}/trails/{part(leg.name)}" for leg in robot.legs)
+    return _space(_walked(robot, body), robot.name, growing=trails)
+
+
+def arm(runs: dict[str, Array], packets: bool) -> Any:
+    """An arm: each run in a space of its own, over its angles and torques; the bus in a tab of its own.
+
+    Args:
+        runs: by name, where the arm came (k, 3), metres.
+    """
+    rrb = _rrb()
+
+    def space(run: str) -> Any:
+        return _space(runs[run], run, f"{run}/{WORLD}")
+
+    columns = [
+        rrb.Vertical(
+            space(run),
+            _plot(f"/{run}/error", "command less real [deg]", legend=True),
+            rrb.Tabs(
+                _plot(f"/{run}/torques", "torques [N m]"),
+                _plot(f"/{run}/angles", "joint angles [deg]"),
+                _plot(f"/{run}/off", "hand off its place [mm]"),
+            ),
+            row_shares=[4, 2, 2],
+        )
+        for run in runs
+    ]
+    whole = rrb.Horizontal(*columns, name="arm")
+    if not packets:
+        return _blueprint(whole)
+    return _blueprint(rrb.Tabs(whole, bus([space(run) for run in runs], [f"{run}/{BUS}" for run in runs])))
+
+
+def live(robot: Robot) -> Any:
+    """A robot that is mirrored now."""
+    rrb = _rrb()
+    space = _space(_resting(robot), robot.name)
+    both = rrb.Horizontal(space, _plot("/angles", "joint angles [deg]"), column_shares=[3, 2])
+    return rrb.Blueprint(
+        both, rrb.TimePanel(timeline=TIME, state="collapsed", play_state="following"), collapse_panels=True
+    )

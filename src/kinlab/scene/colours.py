@@ -1,0 +1,17 @@
+"""Colours that stay apart for the colour-blind (Okabe and Ito), and from each other's meaning."""
+
+LINKS = ((86, 180, 233), (230, 159, 0), (0, 158, 115))
+BODY = (150, 150, 150)
+AXIS = (240, 228, 66)
+TARGET = (204, 121, 167)
+ERROR = (213, 94, 0)
+GHOST = (140, 140, 140)
+TRAIL = (204, 121, 167)
+SUPPORT = (0, 158, 115)
+MASS = (240, 228, 66)
+MOMENT = (213, 94, 0)
+FORCE = (213, 94, 0)
+ESTIMATE = (86, 180, 233)
+CLOUD = (110, 140, 170)
+STANCE, SWING = (0, 158, 115), (230, 159, 0)
+SENT, HEARD, BROKEN = (86, 180, 233), (0, 158, 115), (213, 94, 0)

@@ -1,0 +1,32 @@
+"""Recordings as files, whole or not there."""
+
+from pathlib import Path
+
+from kinlab.errors import FileError
+from kinlab.files import check_writable, write_whole
+from kinlab.scene.recording import Recording
+
+
+def check_new(path: Path, force: bool = False) -> None:
+    """Refuse a file that could not be written, or must not be, before the work whose result it is for.
+
+    Raises:
+        FileError: it exists and `force` is not given, is no file, or its folder is missing or closed.
+    """
+    check_writable(path)
+    if path.exists() and not path.is_file():
+        raise FileError(f"{path}: is a device or a pipe; a recording is a file")
+    if path.exists() and not force:
+        raise FileError(f"{path}: exists already; --force replaces it")
+
+
+def save(recording: Recording, path: Path, force: bool = False) -> int:
+    """Write a recording; how many bytes it has.
+
+    Raises:
+        FileError: as `check_new`, or the disk is full; what stood there before is still there.
+    """
+    check_new(path, force)
+    data = recording.data()
+    write_whole(path, data)
+    return len(data)

@@ -1,0 +1,254 @@
+"""What is drawn is where the kinematics say it is: files read back with rerun's own reader."""
+
+import subprocess
+
+import numpy as np
+import pytest
+
+from kinlab.gait import find_gait, plan, stability
+from kinlab.gait.limits import joint_rates
+from kinlab.papers import as_printed
+from kinlab.papers.receptionist_experiments import experiment
+from kinlab.rig import Order, Record, Rig, WalkResult, prepare, walk_on
+from kinlab.robots import load_robot
+from kinlab.robots.body import resting
+from kinlab.robots.target import solve_target
+from kinlab.robots.workspace import reached
+from kinlab.scene import arm_scene, gait_scene, robot_scene, target_scene, walk_scene
+from kinlab.scene.recording import Live, part
+from kinlab.scene.tree import stood
+from kinlab.scene.viewer import program
+
+pytest.importorskip("rerun")
+# Floats of four bytes along a chain of some hundred millimetres.
+CLOSE = 2e-4
+WALKERS = [
+    ("xl430-hexapod", "tripod"),
+    ("krsri-hexapod", "wave"),
+    ("udiebot", "creep"),
+    ("eros", "four-step"),
+]
+ALL = [name for name, _ in WALKERS] + ["receptionist-arm"]
+
+
+def entity(limb, *more: str, root: str = "world") -> str:
+    return "/".join([f"/{root}/body", limb.name, *limb.joint_names, "tip", *more])
+
+
+@pytest.mark.parametrize("name", ALL)
+def test_every_limb_of_a_resting_robot_is_where_forward_kinematics_puts_it(name, read_back):
+    robot = load_robot(name)
+    found = read_back(robot_scene(robot, frames=True))
+    for limb in robot.limbs.values():
+        T = stood(robot) @ limb.fk(resting(robot)[limb.name], frame="body")
+        np.testing.assert_allclose(found.pose(entity(limb))[0, :3, 3], T[:3, 3] * 1000, atol=CLOSE)
+        np.testing.assert_allclose(found.pose(entity(limb))[0, :3, :3], T[:3, :3], atol=1e-5)
+        parts = [f"/world/body/{limb.name}/" + "/".join(limb.joint_names[: i + 1]) for i in range(3)]
+        for joint, at in zip(limb.joints, parts, strict=False):
+            arrow = np.array(found.values(f"{at}/axis", "vectors")[0][0])
+            np.testing.assert_allclose(arrow / np.linalg.norm(arrow), joint.axis, atol=1e-6)
+            assert "axis_length" in found.columns[at]
+            if any(joint.link):
+                assert found.values(f"{at}/link", "labels") == [[joint.name]]
+                length = found.values(f"{at}/link", "lengths")[0][0]
+                assert length == pytest.approx(1000 * np.linalg.norm(joint.link), rel=1e-6)
+    assert found.timelines == set()
+    assert found.blueprints == 1
+
+
+@pytest.mark.parametrize(("name", "gait"), WALKERS)
+def test_a_gait_has_every_foot_joint_and_margin_of_every_frame(name, gait, read_back):
+    robot = load_robot(name)
+    walk = plan(robot, find_gait(robot, gait))
+    found = read_back(gait_scene(walk, each=20, cycles=2))
+    t = np.arange(41) / 20 * walk.period
+    motion, state = walk.at(t), stability(walk.at(t))
+    assert found.timelines == {"time", "phase"}
+    assert found.blueprints == 1
+    for i, leg in enumerate(robot.legs):
+        tip = found.pose(entity(leg))
+        assert len(tip) == 41
+        np.testing.assert_allclose(tip[:, :3, 3], motion.ground[:, i] * 1000, atol=CLOSE)
+        trail = found.values(f"/world/trails/{leg.name}", "strips")
+        ends = np.array([strip[0] for strip in trail if len(strip[0]) == 2])
+        np.testing.assert_allclose(ends[:, 1], motion.ground[1:, i] * 1000, atol=CLOSE)
+        for path, angles in (("angles", motion.q), ("speeds", joint_rates(walk, t))):
+            curve = np.array(found.values(f"/{path}/{leg.name}", "scalars"))
+            np.testing.assert_allclose(curve, np.degrees(angles[:, i]), atol=1e-9)
+        lanes = found.columns[f"/legs/{leg.name}"]["state"]
+        for row in range(41):
+            said = [state for at, _, state in lanes if at <= t[row] + 1e-9][-1]
+            assert said == ["swing" if motion.swing[row, i] else "stance"]
+    margins = np.array(found.values("/margins", "scalars"))
+    expected = np.stack([state.static, state.energy, state.zmp_margin], axis=-1) * 1000
+    np.testing.assert_allclose(margins, expected, atol=1e-9)
+    phases = [phase for _, phase, _ in found.columns["/margins"]["scalars"]]
+    assert phases == [round(1000 * p) for p in walk.phase(t)]
+    np.testing.assert_allclose(found.times("/margins", "scalars"), t, atol=2e-9)
+
+
+def test_the_support_polygon_is_spanned_by_the_standing_feet_and_the_mass_is_over_it(read_back):
+    robot = load_robot("krsri-hexapod")
+    walk = plan(robot, find_gait(robot, "tripod"), turn=0.1)
+    found = read_back(gait_scene(walk, each=20, cycles=1))
+    t = np.arange(21) / 20 * walk.period
+    motion = walk.at(t)
+    strips = found.columns["/world/support"]["strips"]
+    assert 1 < len(strips) < 21
+    for at, _, strip in strips:
+        row = int(np.argmin(np.abs(t - at)))
+        feet = motion.ground[row][~motion.swing[row]] * 1000
+        corners = np.array(strip[0])
+        np.testing.assert_allclose(corners[0], corners[-1])
+        for corner in corners:
+            assert np.linalg.norm(feet - corner, axis=-1).min() < CLOSE
+    centre = np.array(found.values("/world/centre_of_mass", "origins"))[:, 0]
+    drop = np.array(found.values("/world/centre_of_mass", "vectors"))[:, 0]
+    np.testing.assert_allclose(centre, motion.body[:, :3, 3] * 1000, atol=CLOSE)
+    np.testing.assert_allclose((centre + drop)[:, 2], 0, atol=CLOSE)
+
+
+def test_a_target_has_its_ghosts_its_errors_and_its_cloud(read_back):
+    robot = load_robot("udiebot")
+    limb = robot.limbs["RF"]
+    answer = solve_target(robot, limb, [0.16, 0.04, -0.12])
+    printed = as_printed(robot, limb, answer.target)
+    found = read_back(target_scene(answer, printed, workspace=True))
+    chosen = answer.poses[answer.chosen]
+    np.testing.assert_allclose(
+        found.pose(entity(limb))[0, :3, 3],
+        (stood(robot) @ limb.fk(chosen.q, frame="body"))[:3, 3] * 1000,
+        atol=CLOSE,
+    )
+    home = f"/world/body/{limb.name}"
+    np.testing.assert_allclose(found.values(f"{home}/target", "positions")[0][0], [160, 40, -120], atol=1e-4)
+    for variant in printed:
+        ghost = f"/world/body/printed\\ {variant.variant}/{limb.name}"
+        tip = found.pose(f"{ghost}/coxa/femur/tibia/tip")[0, :3, 3]
+        wanted = stood(robot) @ limb.mount @ np.append(variant.tip, 1)
+        np.testing.assert_allclose(tip, wanted[:3] * 1000, atol=CLOSE)
+        line = np.array(found.values(f"{ghost}/error", "strips")[0][0])
+        assert np.linalg.norm(line[1] - line[0]) == pytest.approx(variant.error_m * 1000, rel=1e-5)
+        assert found.values(f"{ghost}/error", "labels")[0][0].endswith("mm off")
+    cloud = np.array(found.values(f"{home}/workspace", "positions")[0])
+    np.testing.assert_allclose(cloud, reached(limb, 6000) * 1000, atol=CLOSE)
+    text = found.values("/answer", "text")[0][0]
+    assert "| **knee-up** | 14.036 | 9.069 | -115.808 | 0.0000 |" in text
+
+
+def test_an_unreachable_target_shows_the_limb_where_it_comes_nearest(read_back):
+    robot = load_robot("xl430-hexapod")
+    answer = solve_target(robot, robot.limbs["L2"], [0.3, 0, 0])
+    found = read_back(target_scene(answer))
+    limb = answer.limb
+    tip = found.pose(entity(limb))[0]
+    near = stood(robot) @ limb.mount @ np.append(answer.nearest, 1)
+    np.testing.assert_allclose(tip[:3, 3], near[:3] * 1000, atol=0.01)
+    assert found.values(f"/world/body/{limb.name}/error", "labels") == [["155 mm off"]]
+    assert "Not reached" in found.values("/answer", "text")[0][0]
+
+
+@pytest.fixture(scope="module")
+def walked():
+    robot = load_robot("krsri-hexapod")
+    errand = prepare(Order(robot, find_gait(robot, "tripod"), 0.04, 0.0, 0.06, 25.0))
+    packets = []
+    with Rig.open(robot) as rig:
+        rig.bus.tap = packets.append
+        # A servo that falls silent for a moment leaves a gap, not a lie.
+        samples = []
+        for sample in walk_on(rig, errand):
+            samples.append(sample)
+            rig.chain.servo(5).dead = 5 < len(samples) < 9
+        record = Record(rig.wiring, samples)
+    return WalkResult.of(errand, record, rig), packets
+
+
+def test_a_measured_walk_shows_what_the_servos_said(walked, read_back):
+    result, packets = walked
+    found = read_back(walk_scene(result, packets))
+    record, robot = result.record, result.errand.walk.robot
+    body = found.pose("/world/body")
+    for leg, q in record.wiring.by_limb(record.q).items():
+        known = np.isfinite(q).all(axis=-1)
+        limb = robot.limbs[leg]
+        if known.all():
+            wanted = result.errand.walk.at(record.way).body @ limb.fk(q, frame="body")
+            np.testing.assert_allclose(
+                found.pose(entity(limb))[:, :3, 3], wanted[:, :3, 3] * 1000, atol=CLOSE
+            )
+        else:
+            assert leg == "R2"
+            assert len(found.values("/world/body/R2/coxa/femur", "quaternion")) == known.sum() == len(q) - 3
+        loads = np.array(found.values(f"/loads/{leg}", "scalars"))
+        expected = 100 * record.wiring.by_limb(record.load)[leg][known]
+        np.testing.assert_allclose(loads, expected, atol=1e-9)
+    assert len(body) == len(record.t)
+    energy = np.array(found.values("/energy", "scalars"))[:, 0]
+    np.testing.assert_allclose(energy, record.joules / 3600, atol=1e-12)
+    errors = np.array(found.values("/tracking", "scalars"))
+    np.testing.assert_allclose(errors, record.errors[np.isfinite(record.errors).all(axis=1)] * 1000)
+
+
+def test_every_packet_is_in_the_log_at_the_instant_it_had_passed(walked, read_back):
+    result, packets = walked
+    found = read_back(walk_scene(result, packets))
+    first = result.record.samples[0]
+    heard = [p for p in packets if p.at >= first.clock - first.t]
+    texts = [text[0] for text in found.values("/bus", "text")]
+    assert len(texts) == len(heard) > 1000
+    np.testing.assert_allclose(
+        found.times("/bus", "text"), [p.at - (first.clock - first.t) for p in heard], atol=2e-9
+    )
+    for text, packet in zip(texts, heard, strict=True):
+        assert text.endswith(f"[{packet.data.hex(' ').upper()}]")
+        assert text.startswith("->" if packet.sent else "<-")
+    assert texts[0].startswith("-> SYNC_WRITE all: servo 1 Goal Position 512 = 150 deg; servo 2 ")
+    assert any(text.startswith("<- servo 1 ok: Present Position 5") for text in texts)
+    assert {level[0] for level in found.values("/bus", "level")} == {"sent", "heard"}
+
+
+def test_both_runs_of_the_pushed_arm_have_their_hands_forces_and_packets(read_back):
+    robot = load_robot("receptionist-arm")
+    outcome = experiment(robot, robot.limb(), "comply")
+    found = read_back(arm_scene(robot, outcome))
+    for name, record in outcome.runs.items():
+        limb = record.limb
+        real = limb.fk(record.angles["real"], frame="body")
+        root = f"{name}/world"
+        np.testing.assert_allclose(
+            found.pose(entity(limb, root=root))[:, :3, 3], real[:, :3, 3] * 1000, atol=CLOSE
+        )
+        arrows = found.columns[f"/{root}/body/{limb.name}/push_1"]["origins"]
+        (push,) = record.pushes
+        hand = limb.fk(record.angles["real"])[:, :3, 3] * 1000
+        for row, (t, _, origin) in enumerate(arrows):
+            assert bool(origin) == push.acts(record.t[row])
+            if origin:
+                tip = np.array(origin[0]) + 15 * np.array(push.force)
+                np.testing.assert_allclose(tip, hand[row], atol=CLOSE)
+                assert t == pytest.approx(record.t[row], abs=2e-9)
+        error = np.array(found.values(f"/{name}/error", "scalars"))
+        np.testing.assert_allclose(error, np.degrees(record.error), atol=1e-9)
+        assert len(found.values(f"/{name}/bus", "text")) == len(record.packets)
+
+
+def test_rerun_itself_finds_nothing_wrong_with_the_files(tmp_path, read_back, walked, monkeypatch):
+    monkeypatch.setenv("HOME", str(tmp_path))
+    robot = load_robot("eros")
+    for recording in (robot_scene(robot), walk_scene(*walked)):
+        path = read_back(recording).path
+        done = subprocess.run([program(), "rrd", "verify", path], capture_output=True, text=True, check=False)
+        assert done.returncode == 0, done.stderr
+
+
+def test_the_same_scene_by_rows_and_by_columns_holds_the_same(read_back):
+    robot = load_robot("xl430-hexapod")
+    walk = plan(robot, find_gait(robot))
+    by_columns, by_rows = (read_back(gait_scene(walk, each=8, cycles=1, into=into))
+                           for into in (None, Live("rows")))  # fmt: skip
+    assert by_columns.columns == by_rows.columns
+
+
+def test_names_with_blanks_and_slashes_are_one_part_of_a_path():
+    assert part("front left", "a/b") == "front\\ left/a\\/b"
