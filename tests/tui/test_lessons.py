@@ -13,6 +13,7 @@ from kinlab.tui.stations.lessons.bench import BytesBench, ChainBench, LegBench
 from kinlab.tui.stations.lessons.browser import List, Search
 from kinlab.tui.stations.lessons.desk import Desk
 from kinlab.tui.stations.lessons.dialogs import Profiles, Sure
+from kinlab.tui.stations.lessons.flow import Block
 from kinlab.tui.stations.lessons.page import Page
 from kinlab.tui.stations.lessons.reply import Options, Reply
 from kinlab.tui.stations.lessons.steps import Steps
@@ -559,3 +560,32 @@ def test_without_colours_and_braille_it_says_the_same(take, lab, monkeypatch):
         assert "x Not yet." in lab.text(pilot.app)
 
     take(script, "leg-geometry", 1, size=(120, 40))
+
+
+def test_every_action_of_the_palette_can_be_run_at_the_list_and_in_any_exercise(take):
+    async def script(pilot, station):
+        for lesson, step in (("", 0), ("leg-geometry", 1), ("leg-geometry", 5), ("protocol-1", 5)):
+            for action in station.ACTIONS:
+                if lesson and station.seat is None:
+                    station.open_lesson(lesson, step)
+                    await settle(pilot)
+                for run in action.runs:
+                    await station.run_action(run)
+                    await settle(pilot)
+                    if pilot.app.screen is not station:
+                        await press(pilot, "escape")
+            if station.seat is not None:
+                station.action_contents()
+
+    take(script)
+
+
+def test_the_text_of_a_lesson_is_shown_and_never_obeyed(take, lab):
+    async def script(pilot, station):
+        station.room.query_one(Page).flow.put(
+            Block("[red]not red[/] [/nothing] **bold** [@click=app.quit]x[/]")
+        )
+        await settle(pilot)
+        assert "[red]not red[/] [/nothing] bold [@click=app.quit]x[/]" in lab.text(pilot.app)
+
+    take(script, "leg-geometry", 0)

@@ -152,9 +152,7 @@ class LessonsStation(Station):
         self.seat = seat
         self.add_class("-lesson")
         self._arrive()
-        lesson = seat.sitting.lesson
-        done = len(seat.sitting.tasks) - len(seat.sitting.open)
-        self.inform("note", "head", minutes=lesson.minutes, count=len(seat.sitting.tasks), solved=done)
+        self.inform("note", "end" if seat.task is None else self._how_to_go_on())
         self._name_damage()
 
     # A step.
@@ -164,7 +162,10 @@ class LessonsStation(Station):
         if self.seat is not None and 0 <= step < len(self.seat.steps):
             self.seat.at = step
             self._arrive()
-            self.inform("note", "end" if self.seat.task is None else "read_first")
+            self.inform("note", "end" if self.seat.task is None else self._how_to_go_on())
+
+    def _how_to_go_on(self) -> str:
+        return "beside" if self.room.beside else "read_first" if self.room.view == "text" else "answer"
 
     def _arrive(self) -> None:
         seat, course = self.seat, self.course
@@ -375,13 +376,13 @@ class LessonsStation(Station):
 
     def action_check(self) -> None:
         """Ask what is still missing; counts as a try."""
-        if self.seat is not None:
+        if self.seat is not None and self.seat.instrument == "chain":
             self._judge(self.seat.judge_bench)
 
     def action_again(self) -> None:
         """Set the chain up anew."""
         seat = self.seat
-        if seat is not None:
+        if seat is not None and seat.instrument == "chain":
             self.ask(lambda: seat.open_bench(fresh=True), lambda _: self._judged(None))
             self.inform("note", "set_up")
 
@@ -401,10 +402,14 @@ class LessonsStation(Station):
 
     def action_search(self) -> None:
         """Look for a lesson."""
+        if self.seat is not None:
+            self.action_contents()
         self.query_one(Search).focus()
 
     def action_only_open(self) -> None:
         """List only what is open, or everything again."""
+        if self.seat is not None:
+            self.action_contents()
         browser = self.query_one(Browser)
         browser.only_open = not browser.only_open
         self._list()
@@ -414,7 +419,7 @@ class LessonsStation(Station):
         """Choose whose progress it is."""
         from kinlab.tui.stations.lessons.dialogs import Profiles
 
-        if self.progress is not None:
+        if self.progress is not None and self.seat is None:
             self.app.push_screen(Profiles(self, self.progress.profile), self._as_profile)
 
     def _as_profile(self, name: str | None) -> None:

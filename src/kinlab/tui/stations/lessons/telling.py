@@ -71,8 +71,12 @@ def page(course: Course, seat: Seat, say: Say) -> list[Block]:
     if seat.at == 0:
         if sitting.fallback:
             found.append(Block(say("english"), style="$orange"))
+        done = len(sitting.tasks) - len(sitting.open)
+        head = say("head", minutes=lesson.minutes, count=len(sitting.tasks), solved=done)
         goals = lesson.goals.get(sitting.language, lesson.goals["en"])
-        found.append(Block("\n".join((say("goals"), *(f"- {goal}" for goal in goals))), style=QUIET))
+        found.append(
+            Block("\n".join((f"{head} {say('goals')}", *(f"- {goal}" for goal in goals))), style=QUIET)
+        )
     step = seat.steps[seat.at]
     # What belongs to two exercises stands before the first.
     for part in next((s.parts for s in reversed(seat.steps[: seat.at + 1]) if s.parts), ()):
