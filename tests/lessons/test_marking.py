@@ -18,7 +18,7 @@ def underlined(samples: Course, name: str, reply: str) -> list[str]:
         ("number", " 171 mm ", ["171 mm"]),
         ("number", "172", []),
         ("vector", "86 -12 75", ["75"]),
-        ("vector", "u=86; v=12 mm; w=74 mm", ["12 mm"]),
+        ("vector", "u=86; v=12 mm; w=98 mm", ["12 mm"]),
         ("bytes", "FF FF 0F 05 03 1E 74 02 55", ["0F"]),
         ("gait", "L1 L2 R2 R1", ["L1", "L2"]),
         ("gait", "L1, L2 -> R2 > R1", ["L1", "L2"]),
