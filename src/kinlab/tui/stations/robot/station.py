@@ -53,7 +53,7 @@ class RobotStation(Station):
         #rows, #print { height: auto; width: 1fr; }
     }
     RobotStation #path:focus { background: $panel; }
-    RobotStation.-tall #path { max-height: 55%; }
+    RobotStation.-tall #path { max-height: 50%; }
     RobotStation.-wide Form { width: 44; }
     RobotStation.-narrow {
         #robot { width: 18; } #limb { width: 14; }
