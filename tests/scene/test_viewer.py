@@ -71,6 +71,20 @@ def test_a_viewer_that_fails_says_why(monkeypatch, home):
         process.wait()
 
 
+def test_a_viewer_that_ctrl_c_has_ended_too_is_no_complaint(monkeypatch, home):
+    monkeypatch.setenv("DISPLAY", ":4711")
+    scene, view = robot_scene(load_robot("udiebot")), View(port=free_port())
+
+    def look():
+        with viewing(scene, view) as process:
+            process.kill()
+            process.wait()
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        look()
+
+
 @pytest.mark.skipif(sys.platform != "linux", reason="where the choice is kept differs")
 def test_the_page_reaches_nothing_but_this_machine_and_nobody_is_reported_to(home):
     view = View(True, free_port(), free_port())
