@@ -145,7 +145,17 @@ def test_an_unreachable_target_shows_the_limb_where_it_comes_nearest(read_back):
     near = stood(robot) @ limb.mount @ np.append(answer.nearest, 1)
     np.testing.assert_allclose(tip[:3, 3], near[:3] * 1000, atol=0.01)
     assert found.values(f"/world/body/{limb.name}/error", "labels") == [["155 mm off"]]
-    assert "Not reached" in found.values("/answer", "text")[0][0]
+    text = found.values("/answer", "text")[0][0]
+    assert "Not reached" in text
+    assert "Nearest place" in text
+
+
+def test_a_foot_that_only_its_attitude_keeps_from_the_target_is_said_to_be_so(read_back):
+    robot = load_robot("eros")
+    answer = solve_target(robot, robot.limbs["right_leg"], [0.1, 0.02, -0.06])
+    text = read_back(target_scene(answer)).values("/answer", "text")[0][0]
+    assert "With its attitude left free, the tip reaches the place." in text
+    assert "Nearest place" not in text
 
 
 @pytest.fixture(scope="module")

@@ -13,7 +13,7 @@ from kinlab.robots.workspace import reached
 from kinlab.scene import blueprints, colours
 from kinlab.scene.recording import Recording
 from kinlab.scene.tree import Tree, stood
-from kinlab.units import shown_mm, to_mm
+from kinlab.units import to_mm
 
 # Poses that a cloud is tried with.
 CLOUD = 6000
@@ -118,7 +118,9 @@ def _told(answer: TargetReport, printed: Iterable[AsPrinted]) -> str:
     lines[-1] += f"{answer.frame} frame."
     if answer.chosen is None:
         lines += ["", f"**Not reached: {answer.reason}.**"]
-    if answer.nearest is not None:
+    if answer.nearest is not None and answer.missed_mm < 1e-6:
+        lines += ["", "With its attitude left free, the tip reaches the place."]
+    elif answer.nearest is not None:
         lines += ["", f"Nearest place ({_place(answer, answer.nearest)}) mm, {answer.missed_mm:.3f} mm away."]
     head = ["", *limb.joint_names, "off"]
     lines += ["", f"| {' | '.join(head)} |", "|" + "---|" * len(head)]
@@ -139,4 +141,4 @@ def _row(name: str, limb: Limb, q: Array, error_m: float) -> str:
 
 
 def _place(answer: TargetReport, point: Array) -> str:
-    return ", ".join(f"{v:g}" for v in shown_mm(answer.limb.from_limb(point, answer.frame)))
+    return ", ".join(f"{v:g}" for v in answer.place_mm(point))
