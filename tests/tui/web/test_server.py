@@ -20,7 +20,7 @@ def test_a_visitor_types_a_target_and_reads_the_angles(serve):
         async with served.visit(size=(110, 30)) as visitor:
             await visitor.see("xl430-hexapod", "Reached", "x 75")
             # The first field has the focus. Keys that come in one burst may overtake each other.
-            await visitor.type("\x15")
+            await visitor.type("\x05\x15")
             await visitor.see("A number is wanted here")
             await visitor.type("80")
             await visitor.see("x 80", *(f"{angle:.3f}".rstrip("0") for angle in wanted))
@@ -43,10 +43,11 @@ def test_a_session_reaches_no_serial_port_and_no_file_of_the_machine(serve, tmp_
             await visitor.see("dxl>")
             await visitor.type(f"load {outside}\r")
             await visitor.see("give a plain name")
-            await visitor.type("ping 1; save mine\r")
+            # Lines that come in one piece are carried out one by one.
+            await visitor.type("ping 1\rping 2\rsave mine\r")
             await visitor.see("saved to")
         (folder,) = served.folders.iterdir()
-        assert (folder / "files" / "mine").read_text().splitlines()[-1] == "ping 1"
+        assert (folder / "files" / "mine").read_text().splitlines()[-2:] == ["ping 1", "ping 2"]
 
     serve(script, small=False)
 
