@@ -2,6 +2,7 @@
 
 import asyncio
 import json
+import sys
 
 import numpy as np
 import pytest
@@ -212,5 +213,25 @@ def test_the_page_names_nothing_outside_and_lets_nothing_in(serve):
         assert "//" not in (page + style + script_).replace(f"ws://{served.place}/ws", "").replace(
             "// Keys", ""
         )
+
+    serve(script)
+
+
+def test_a_program_that_does_not_go_is_ended_by_force(serve, monkeypatch):
+    monkeypatch.setattr("kinlab.tui.web.session.PATIENCE", 0.2)
+
+    async def script(served):
+        stubborn = "import sys, time; print('__GANGLION__', flush=True)\nwhile True: time.sleep(1)"
+        served.server._words = (sys.executable, "-c", stubborn)
+        async with served.visit() as visitor:
+            async with asyncio.timeout(60):
+                while not served.server.sessions:
+                    await asyncio.sleep(0.01)
+            (session,) = served.server.sessions
+            assert not visitor.line.closed
+        async with asyncio.timeout(60):
+            while len(served.told) < 2:
+                await asyncio.sleep(0.01)
+        assert session._process.returncode is not None
 
     serve(script)

@@ -59,6 +59,7 @@ class Prompt(Input):
         super().__init__(
             compact=True, highlighter=_Colours(self), suggester=_Ghost(self), select_on_focus=False, id=id
         )
+        self.cursor_blink = False
         self.session = session
         self.history: list[str] = []
         self._at = 0
