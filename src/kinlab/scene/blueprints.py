@@ -97,7 +97,7 @@ def gait(robot: Robot, body: Array) -> Any:
         _plot("/margins", "stability margins [mm]", legend=True),
         _plot("/angles", "joint angles [deg]"),
         _plot("/speeds", "joint speeds [deg/s]"),
-        row_shares=[_lanes(robot), 2, 2, 2],
+        row_shares=[_lanes(robot), 3, 2, 2],
     )
     return _blueprint(rrb.Horizontal(_walking(robot, body), curves, column_shares=[3, 2]))
 
