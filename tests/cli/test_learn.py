@@ -190,6 +190,19 @@ def test_work_is_exported_and_verified(types: Any, kinlab: Any, tmp_path: Path, 
         assert "is said to be right and is wrong" in found.out
 
 
+def test_a_file_that_cannot_be_read_does_not_stop_the_class(types: Any, kinlab: Any, tmp_path: Path) -> None:
+    types("quit")
+    whole, broken = tmp_path / "whole.json", tmp_path / "broken.json"
+    kinlab("learn", "export", "-p", "ani", "-o", str(whole))
+    broken.write_text("{")
+    run = kinlab("learn", "verify", str(broken), str(whole), "--json")
+    assert run.code == 1
+    assert "broken.json: no valid JSON" in run.err
+    assert not run.json["ok"]
+    assert [student["file"] for student in run.json["students"]] == [str(whole)]
+    assert kinlab("learn", "verify", str(broken)).code == 2
+
+
 def test_exporting_nothing_says_so(kinlab: Any) -> None:
     run = kinlab("learn", "export", "-p", "nobody")
     assert run.code == 2
