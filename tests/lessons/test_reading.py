@@ -109,6 +109,18 @@ def test_a_new_lesson_overwrites_nothing(tmp_path: Path) -> None:
         new_lesson("../mine", tmp_path)
 
 
+def test_a_full_disk_leaves_no_half_of_a_new_lesson(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def full(path: Path, content: str) -> None:
+        if path.name == "id.md":
+            raise FileError(f"{path}: cannot be written: No space left on device")
+        path.write_text(content)
+
+    monkeypatch.setattr("kinlab.lessons.template.write_whole", full)
+    with pytest.raises(FileError, match="No space left"):
+        new_lesson("mine", tmp_path)
+    assert not (tmp_path / "mine").exists()
+
+
 def test_what_is_not_translated_stands_in_english_and_is_marked(lesson: Callable[..., Path]) -> None:
     start, end = INDONESIAN.index("```exercise"), INDONESIAN.index("Akhiri")
     folder = lesson(other=((INDONESIAN[start:end], ""),))

@@ -9,7 +9,6 @@ import json
 import os
 import re
 import secrets
-import shutil
 from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from dataclasses import asdict, dataclass
@@ -74,6 +73,8 @@ class Event:
             type(value) is not kinds.get(name, str) for name, value in kept.items()
         ):
             raise ValueError("no event")
+        # JSON can name halves of characters, which no file and no terminal takes.
+        "".join(map(str, kept.values())).encode()
         return cls(**kept)
 
 
@@ -242,7 +243,7 @@ class Progress:
         stamp = datetime.now(UTC).strftime("%Y%m%d-%H%M%S")
         names = (f"{self.path.name}.damaged-{stamp}{f'-{i}' if i else ''}" for i in count())
         goal = next(path for name in names if not (path := self.path.with_name(name)).exists())
-        shutil.copyfile(self.path, goal)
+        write_whole(goal, self.path.read_bytes(), lasting=True)
         self.set_aside = goal
         self._write("".join(map(_line, (self._head(), *map(asdict, self.events)))))
 
@@ -287,6 +288,7 @@ def _parse(raw: bytes) -> tuple[dict[str, Any], list[Event], bool]:
         try:
             data = json.loads(line)
             if number == 0 and isinstance(data, dict) and isinstance(data.get("seed"), str):
+                data["seed"].encode()
                 head = data
             else:
                 events.append(Event.read(data))
