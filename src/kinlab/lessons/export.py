@@ -118,7 +118,9 @@ def _from_csv(file: str, text: str) -> list[Handed]:
     except csv.Error as error:
         raise FileError(f"{file}: no valid CSV: {error}") from None
     if not rows or not set(COLUMNS) <= rows[0].keys():
-        raise FileError(f"{file}: is no export of KinLab, neither JSON nor CSV with the columns {', '.join(COLUMNS)}")
+        raise FileError(
+            f"{file}: is no export of KinLab, neither JSON nor CSV with the columns {', '.join(COLUMNS)}"
+        )
     students: dict[tuple[str, str], list[tuple[int, Any]]] = {}
     for number, row in enumerate(rows, 2):
         plain = {k: v[1:] if v.startswith("'") else v for k, v in row.items() if isinstance(k, str) and v}
