@@ -165,7 +165,8 @@ def test_reset_asks_first(kinlab: Any, types: Any) -> None:
     refused = kinlab("learn", "reset", LEG, "-p", "ani")
     assert refused.code == 2
     assert "--yes" in refused.err
-    assert kinlab("learn", "reset", LEG, "-p", "ani", "--yes").code == 0
+    done = kinlab("learn", "reset", LEG, "-p", "ani", "--yes", "--json")
+    assert done.json == {"lesson": LEG, "open": [each.id for each in load_course().lesson(LEG).exercises]}
     assert (
         "solved"
         not in kinlab("learn", "list", "-p", "ani", "--json").json["lessons"][0]["exercises"].values()
@@ -264,6 +265,8 @@ def test_a_lesson_is_one_document(kinlab: Any) -> None:
         (["--json", LEG], "--json goes behind the lesson"),
         (["verify", "/nowhere.json"], "/nowhere.json: cannot be read"),
         (["new", "../x"], "no name for a lesson"),
+        (["new", "list"], "'list' is a command of kinlab learn"),
+        (["reset", LEG, "--json"], "say --yes"),
     ],
 )
 def test_wrong_usage_is_said(kinlab: Any, arguments: list[str], message: str) -> None:

@@ -198,13 +198,14 @@ def _reset(
     profile: ProfileOption = None,
     lessons: LessonsOption = None,
     yes: Annotated[bool, typer.Option("--yes", "-y", help="Without asking.")] = False,
+    json: JsonOption = False,
 ) -> None:
     """Begin a lesson anew, with the same numbers. The history stays in the file."""
     sitting, _ = sitting_of(ctx, lesson, lang, profile, lessons)
     name = sitting.lesson.id
     if not yes:
-        if not sys.stdin.isatty():
-            raise UsageError("a lesson is reset after asking; without a terminal, say --yes")
+        if json or not sys.stdin.isatty():
+            raise UsageError("a lesson is reset after asking; with --json or without a terminal, say --yes")
         done = len(sitting.tasks) - len(sitting.open)
         try:
             reply = input(sitting.say("talk.reset-ask", lesson=name, count=done))
@@ -214,7 +215,10 @@ def _reset(
             typer.echo(sitting.say("talk.unchanged"))
             raise typer.Exit(1)
     sitting.reset()
-    typer.echo(sitting.say("talk.reset-done", lesson=name))
+    if json:
+        print_json({"lesson": name, "open": sitting.open})
+    else:
+        typer.echo(sitting.say("talk.reset-done", lesson=name))
 
 
 for _name, _command, _example in (

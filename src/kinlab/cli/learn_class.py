@@ -155,6 +155,8 @@ def new(
     """Make a lesson from a template, in both languages."""
     from kinlab.lessons.template import new_lesson
 
+    if name in ctx.parent.command.list_commands(ctx.parent):  # type: ignore[union-attr]
+        raise UsageError(f"'{name}' is a command of kinlab learn: a lesson needs another name")
     folder = lessons or ctx.obj[2] or Path("my-lessons")
     made = new_lesson(name, folder)
     if json:

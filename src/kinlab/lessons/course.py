@@ -50,7 +50,7 @@ class Course:
         Raises:
             UsageError: no such lesson.
         """
-        if name.isdecimal() and 1 <= int(name) <= len(self.lessons):
+        if name not in self.lessons and name.isdecimal() and 1 <= int(name) <= len(self.lessons):
             return list(self.lessons.values())[int(name) - 1]
         broken = next((p for p in self.problems if str(p).startswith((f"{name}/", f"{name}:"))), None)
         if broken is not None and name not in self.lessons:
