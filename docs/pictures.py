@@ -36,7 +36,7 @@ def without_fonts(svg: str) -> str:
 
 # Of each station: the size, what is pressed, and how long (s) is waited after each key.
 STATIONS: dict[str, tuple[tuple[int, int], Sequence[str], float]] = {
-    "robot": ((110, 34), ("escape", "right", "up"), 0.5),
+    "robot": ((110, 42), ("escape", "right", "up"), 0.5),
     "gait": ((110, 34), ("escape", "n", "right", "right", "right", "right", "right", "right"), 0.3),
     "packet": ((110, 34), (*"write 1 goal_position 90deg", "enter"), 0.05),
     "arm": ((110, 34), ("escape", "space", "left", "left"), 0.8),

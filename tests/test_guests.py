@@ -2,11 +2,14 @@
 
 import pytest
 
+from kinlab import load_robot
 from kinlab.dynamixel import open_port
 from kinlab.dynamixel.sandbox import Session, execute
 from kinlab.errors import FileError, UsageError
 from kinlab.files import file_named, own_folder, write_whole
 from kinlab.guests import GUEST, is_guest
+from kinlab.scene.mirror import Mirror
+from kinlab.scene.viewer import viewing
 
 
 @pytest.fixture
@@ -22,6 +25,14 @@ pytestmark = pytest.mark.usefixtures("_guest")
 def test_a_real_port_is_out_of_reach(name):
     with pytest.raises(UsageError, match="out of reach of a session in the browser"):
         open_port(name)
+
+
+def test_a_viewer_on_the_machine_is_out_of_reach():
+    robot = load_robot("udiebot")
+    with pytest.raises(UsageError, match="a viewer is out of reach"):
+        Mirror(robot)
+    with pytest.raises(UsageError, match="a viewer is out of reach"), viewing(None, None):
+        pass
 
 
 def test_an_emulated_chain_is_not():

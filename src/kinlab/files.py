@@ -11,7 +11,7 @@ from kinlab.guests import is_guest
 
 
 def own_folder() -> Path:
-    """Where settings, progress and history are kept: $KINLAB_HOME, else the system's place for a program's state."""
+    """Where settings and history are kept: $KINLAB_HOME, else the place that the system has for a program's state."""
     if home := os.environ.get("KINLAB_HOME"):
         return Path(home)
     from platformdirs import user_state_path

@@ -1,5 +1,6 @@
 """`kinlab serve`, as it is started."""
 
+import json
 import re
 import signal
 import socket
@@ -10,7 +11,7 @@ import urllib.request
 
 import pytest
 
-from kinlab.cli.serve import _announce
+from kinlab.cli.serve import _address, _warn
 
 
 @pytest.fixture
@@ -29,14 +30,25 @@ def started(tmp_path, monkeypatch):
         )
         running.append(process)
         line = process.stdout.readline()
-        found = re.search(r"http://\S+", line)
+        if line == "{\n":
+            line += process.stdout.readline()
+        found = re.search(r"http://[^\s\"]+", line)
         assert found, line + process.stderr.read()
         return process, found[0], line
 
     yield start
     for process in running:
         process.kill()
-        process.communicate()
+        process.wait()
+        process.stdout.close()
+        process.stderr.close()
+
+
+def rest(process):
+    """What else it prints until it ends; lines may wait in the buffer that the first one came from."""
+    out, err = process.stdout.read(), process.stderr.read()
+    process.wait(timeout=60)
+    return out, err
 
 
 def test_it_says_where_it_is_answers_there_and_ends_at_ctrl_c(started, tmp_path):
@@ -47,7 +59,7 @@ def test_it_says_where_it_is_answers_there_and_ends_at_ctrl_c(started, tmp_path)
         assert page.status == 200
         assert 'class="textual-terminal"' in page.read().decode()
     process.send_signal(signal.SIGINT)
-    out, err = process.communicate(timeout=60)
+    out, err = rest(process)
     assert process.returncode == 0
     assert f"{tmp_path / 'visitors'}" in out
     assert err == ""
@@ -96,12 +108,27 @@ def test_an_address_that_is_not_here_is_told(kinlab):
 
 
 def test_an_open_address_says_what_it_exposes(capsys):
-    _announce("0.0.0.0", 8000, 8)
+    _warn("0.0.0.0")
     told = capsys.readouterr()
     assert "no password" in told.err
     assert "no serial port" in told.err
-    _announce("127.0.0.1", 8000, 8)
+    _warn("127.0.0.1")
     assert capsys.readouterr().err == ""
+
+
+def test_an_address_can_be_typed_into_a_browser():
+    assert _address("127.0.0.1", 8000) == "http://127.0.0.1:8000"
+    assert _address("::1", 8000) == "http://[::1]:8000"
+    assert socket.gethostname() in _address("0.0.0.0", 8000)
+
+
+def test_where_it_is_as_json(started, tmp_path):
+    process, _, line = started("--json", "--sessions", "2")
+    process.send_signal(signal.SIGINT)
+    document = json.loads(line + rest(process)[0])
+    assert document["url"].startswith("http://127.0.0.1:")
+    assert document["sessions"] == 2
+    assert document["folders"] == str(tmp_path / "visitors")
 
 
 def test_without_the_extra_the_line_that_installs_it_is_given(kinlab, monkeypatch):

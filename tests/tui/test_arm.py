@@ -6,9 +6,10 @@ from textual.widgets import Button, Static
 
 from kinlab.control import Environment, PositionGains
 from kinlab.rig.arm import GAIN_SETS
-from kinlab.rig.arm.drawing import VIEWS
+from kinlab.rig.arm.drawing import pull
 from kinlab.tui.stations.arm.curves import PLOTS
-from kinlab.tui.stations.arm.station import PULSE, ArmStation
+from kinlab.tui.stations.arm.hand import PULSE
+from kinlab.tui.stations.arm.station import ArmStation
 from kinlab.tui.widgets import Choice, Dial, Plot
 
 
@@ -56,10 +57,13 @@ def test_a_key_or_a_click_lets_the_arm_go_on_and_holds_it(run):
         await pilot.press("s", "s")
         assert len(moments(station)) == count + 2
         await pilot.click("#play")
+        await pilot.pause(0.1)
         assert station.playing
         await pilot.click("#play")
+        await pilot.pause(0.1)
         assert not station.playing
         await pilot.click("#reset")
+        await pilot.pause(0.1)
         assert not moments(station)
 
     run(script)
@@ -67,7 +71,8 @@ def test_a_key_or_a_click_lets_the_arm_go_on_and_holds_it(run):
 
 def test_time_does_not_pass_in_a_lab_that_nobody_sees(run):
     async def script(pilot, station):
-        await pilot.press("space", "f2")
+        await pilot.press("space")
+        pilot.app.open_station("gait")
         await pilot.pause()
         count = len(moments(station))
         await pilot.pause(0.15)
@@ -80,7 +85,7 @@ def test_time_does_not_pass_in_a_lab_that_nobody_sees(run):
 
 
 def test_keys_push_in_the_plane_of_the_side_view_and_across_it(run, monkeypatch):
-    monkeypatch.setattr("kinlab.tui.stations.arm.station.PULSE", 60)
+    monkeypatch.setattr("kinlab.tui.stations.arm.hand.PULSE", 60)
 
     async def script(pilot, station):
         for key, force in (
@@ -88,12 +93,12 @@ def test_keys_push_in_the_plane_of_the_side_view_and_across_it(run, monkeypatch)
             ("comma", (0, 3, 0)), ("full_stop", (0, -3, 0)),
         ):  # fmt: skip
             await pilot.press(key)
-            assert station.force == pytest.approx(force)
+            assert station.hand.force == pytest.approx(force)
             assert station.playing
         station.query_one("#push", Dial).field.value = "6"
         await pilot.pause()
         await pilot.press("up")
-        assert station.force == pytest.approx((0, 0, 6))
+        assert station.hand.force == pytest.approx((0, 0, 6))
 
     run(script)
 
@@ -106,7 +111,7 @@ def test_a_push_ends_by_itself(run):
         assert np.abs(moments(station)[-1].torques["pushed"]).max() > 0.3
         go_on(station, PULSE)
         assert np.abs(moments(station)[-1].torques["pushed"]).max() == 0
-        assert station.force is None
+        assert station.hand.force is None
 
     run(script)
 
@@ -116,7 +121,6 @@ def test_the_mouse_pulls_the_hand_while_it_is_held(run):
         view = station.query_one("#side")
         go_on(station, 0.1)
         await pilot.pause()
-        tip = VIEWS["side"] @ station.limb.fk(moments(station)[-1].angles["real"])[:3, 3] * 1000
         columns, rows = view.canvas.columns, view.canvas.rows
         place = (columns // 2, rows - 1)
         await pilot.mouse_down("#side", (place[0], place[1] + 1))
@@ -124,17 +128,27 @@ def test_the_mouse_pulls_the_hand_while_it_is_held(run):
         assert station.playing
         station._play(False)
         go_on(station, 0.05)
-        x, _, z = station.force
-        goal = view.canvas.place(*place)
-        # Towards the mouse, the more the further.
-        assert np.sign(x) == np.sign(goal[0] - tip[0])
-        assert z < 0
+        # A rubber band from where the hand was to the mouse.
+        before = moments(station)[-2].angles["real"]
+        expected = pull(station.limb, before, "side", view.canvas.place(*place))
+        assert station.hand.force == pytest.approx(expected)
+        assert np.linalg.norm(expected) > 1
         assert np.abs(moments(station)[-1].torques["pushed"]).max() > 0
         await pilot.mouse_up("#side", (place[0], place[1] + 1))
         await pilot.pause()
         go_on(station, 0.05)
-        assert station.force is None
+        assert station.hand.force is None
         assert np.abs(moments(station)[-1].torques["pushed"]).max() == 0
+
+    run(script)
+
+
+def test_a_click_on_a_plot_pulls_at_nothing(run):
+    async def script(pilot, station):
+        await pilot.click("#torque", (9, 3))
+        await pilot.pause()
+        assert not station.playing
+        assert not moments(station)
 
     run(script)
 
@@ -155,7 +169,7 @@ def test_compliance_goes_on_and_off_while_the_arm_moves(run):
         assert station.bench.settings.law == "none"
         await pilot.click("#law")
         await pilot.pause()
-        await pilot.click("#law SelectOverlay", (3, 2))
+        await pilot.click("#law SelectOverlay", (3, 3))
         await pilot.pause()
         assert station.bench.settings.law == "compliance"
 

@@ -15,10 +15,10 @@ async def settle(pilot):
     """Until the rig has taken up the walk and measured the instant that is shown."""
     station = pilot.app.screen
     await pilot.pause()
-    while station.mill is None and not station.mill_problem:
+    while station.rig.mill is None and not station.rig.problem:
         await pilot.pause(0.02)
-    while station.mill is not None and (not station.mill.samples or station.mill.samples[-1].t < station.t):
-        station._tick()
+    while station.rig.tread(station.t):
+        pass
     station._show()
     await pilot.pause()
 
@@ -38,7 +38,7 @@ def run(lab):
 
 
 def facts(station):
-    return str(station.query_one("#facts", Static).content)
+    return f"{station.query_one('#facts', Static).content} {station.rig.content}"
 
 
 def phase(station):
@@ -61,12 +61,13 @@ def test_a_key_plays_and_stops_and_frames_and_phases_step_both_ways(run):
         frame = station.cycle.frame_at(stopped)
         await pilot.press("right", "right", "left")
         assert station.cycle.frame_at(station.t) == frame + 1
+        await pilot.press("home")
+        assert station.cycle.frame_at(station.t) == 0
+        station.seek(0.0)
         await pilot.press("n")
         assert phase(station) == 2
         await pilot.press("p")
         assert phase(station) == 1
-        await pilot.press("home")
-        assert station.t == 0
         # Before the beginning comes the end of the cycle.
         await pilot.press("left")
         assert station.cycle.frame_at(station.t) == len(station.cycle) - 1
@@ -122,12 +123,13 @@ def test_the_mouse_moves_the_cursor_of_the_diagram(run):
 
 def test_time_does_not_pass_on_a_stage_that_nobody_sees(run):
     async def script(pilot, station):
-        await pilot.press("space", "f2")
+        await pilot.press("space")
+        pilot.app.open_station("arm")
         await pilot.pause()
         before = station.t
         await pilot.pause(0.15)
         assert station.t == before
-        await pilot.press("f3")
+        pilot.app.open_station("gait")
         await pilot.pause(0.15)
         assert station.t > before
 
@@ -160,7 +162,7 @@ def test_robots_gaits_and_legs_by_mouse(run):
     async def choose(pilot, box, row):
         await pilot.click(box)
         await pilot.pause()
-        await pilot.click(f"{box} SelectOverlay", (3, row))
+        await pilot.click(f"{box} SelectOverlay", (3, row + 1))
         await pilot.pause()
 
     async def script(pilot, station):
@@ -254,19 +256,19 @@ def test_the_rig_walks_along_and_tells_power_energy_and_cost(run):
         assert "Wh/m" not in facts(station)
         station.seek(1.2 * station.cycle.walk.period)
         await settle(pilot)
-        sample = station.sample
+        sample = station.rig.at(station.t)
         assert sample.t == pytest.approx(station.t, abs=0.03)
         assert f"{sample.power:.1f} W" in facts(station)
         assert f"{sample.energy:.4f} Wh" in facts(station)
-        assert f"{station.mill.per_metre:.3f} Wh/m" in facts(station)
+        assert f"{station.rig.mill.per_metre:.3f} Wh/m" in facts(station)
         # Back in time it is what was measured then.
         station.seek(0.5 * station.cycle.walk.period)
-        assert station.sample.energy < sample.energy
+        assert station.rig.at(station.t).energy < sample.energy
         # Another walk begins anew.
         await pilot.press("g")
         await settle(pilot)
-        assert station.mill.walk is station.cycle.walk
-        assert station.sample.energy < sample.energy
+        assert station.rig.mill.walk is station.cycle.walk
+        assert station.rig.at(station.t).energy < sample.energy
 
     run(script)
 
@@ -299,6 +301,73 @@ def test_the_other_half_shows_joint_speeds_and_power(run, lab):
         peaks = station.cycle.used.max(axis=0) * 100
         rows = [row for row in seen.splitlines() if " R1 " in row]
         assert f"/{peaks[0, 1]:.0f}" in rows[-1]
+        await pilot.press("f10")
+        await pilot.pause()
+        assert "from above" in lab.text(pilot.app)
+
+    run(script)
+
+
+def test_a_wide_terminal_shows_both_halves_and_nobody_turns_the_page(run, lab):
+    async def script(pilot, station):
+        seen = lab.text(pilot.app)
+        for text in ("from above", "side R1", "joint speed", "stability margin", "power"):
+            assert text in seen
+        assert not station.check_action("page", ())
+
+    run(script, (120, 40))
+
+
+def test_the_stage_goes_on_when_the_terminal_changes_its_size_while_it_plays(run, lab):
+    async def script(pilot, station):
+        await pilot.press("space")
+        for size in ((120, 40), (60, 20), (40, 10), (200, 60), (80, 24)):
+            await pilot.resize_terminal(*size)
+            await pilot.pause(0.06)
+        assert station.playing
+        assert "from above" in lab.text(pilot.app)
+
+    run(script)
+
+
+def test_no_braille_where_a_terminal_cannot_show_it(lab, monkeypatch):
+    monkeypatch.setenv("KINLAB_ASCII", "1")
+
+    async def script(pilot):
+        await settle(pilot)
+        body = "\n".join(lab.rows(pilot.app)[6:-2])
+        assert not any(0x2800 <= ord(char) < 0x2900 for char in body)
+        assert "#" in body
+        assert "V" in body
+
+    lab.drive(script, "gait")
+
+
+@pytest.mark.parametrize("size", [(60, 20), (80, 24), (120, 40)])
+def test_the_screen(run, lab, size):
+    async def script(pilot, station):
+        station.seek(0.3 * station.cycle.walk.period)
+        await settle(pilot)
+        lab.check_screen("gait", pilot.app)
+
+    run(script, size)
+
+
+# What is kept.
+
+
+def test_everything_is_as_it_was_the_next_time(run):
+    async def leave(pilot, station):
+        await pilot.press("r", "g", "l", "plus", "less_than_sign", "v", "ctrl+q")
+
+    async def come_back(pilot, station):
+        assert (station.robot.name, station.gait_name) == ("krsri-hexapod", "wave")
+        assert (station.speed_mm_s, station.turn_deg_s) == (21, 1)
+        assert station.robot.legs[station.leg].name == station.query_one("#leg", Choice).value == "R2"
+        assert station.page == "servos"
+
+    run(leave)
+    run(come_back)
 
 
 @pytest.mark.parametrize(

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from textual.widgets import Static
 
+from kinlab.errors import KinlabError
 from kinlab.robots import load_robot
 from kinlab.tui.widgets import Choice, Dial, Picture
 
@@ -56,6 +57,16 @@ def test_a_target_is_typed_with_comma_or_point_and_any_unit(run):
             np.testing.assert_allclose(station.answer.path.answer.target, [metres, 0.010, -0.046])
 
     run(script)
+
+
+def test_what_is_typed_first_takes_the_place_of_the_number(lab):
+    async def script(pilot):
+        await settle(pilot)
+        await pilot.press("9", "0")
+        await settle(pilot)
+        assert pilot.app.screen.target[0] == pytest.approx(0.090)
+
+    lab.drive(script)
 
 
 def test_what_is_no_number_is_explained_and_the_last_good_state_stays(run):
@@ -210,6 +221,26 @@ def test_letters_take_the_next_limb_robot_and_frame(run):
     run(script)
 
 
+def test_keys_pressed_faster_than_the_core_answers_do_no_harm(run):
+    async def script(pilot, station):
+        for _ in range(3):
+            for action in (
+                "next_robot",
+                "begin",
+                "next_limb",
+                "next_solution",
+                "begin",
+                "next_frame",
+                "home",
+            ):
+                await station.run_action(action)
+        await settle(pilot)
+        assert station.answer.question.limb is station.limb
+        assert station.answer.question.robot is station.robot
+
+    run(script)
+
+
 def test_power_off_says_so_and_on_again_the_servos_answer(run, lab):
     async def script(pilot, station):
         await pilot.press("o")
@@ -234,6 +265,50 @@ def test_the_printed_solution_and_the_limits_are_drawn_or_not(run):
         await pilot.press("p", "b")
         await pilot.pause()
         assert len({plain, ghost, picture.canvas.text()}) == 3
+
+    run(script)
+
+
+def test_the_limb_is_mirrored_to_a_viewer_and_a_missing_one_is_told(run, lab, monkeypatch):
+    shown = []
+
+    class Viewer:
+        def __init__(self, robot):
+            self.robot = robot
+
+        def show(self, angles):
+            shown.append(angles)
+
+        def close(self):
+            shown.append("closed")
+
+    def missing(robot):
+        raise KinlabError("no viewer answers")
+
+    async def script(pilot, station):
+        monkeypatch.setattr("kinlab.scene.Mirror", missing)
+        await pilot.press("m")
+        await settle(pilot)
+        assert "no viewer answers" in lab.text(pilot.app)
+        assert not station.mirrored
+        monkeypatch.setattr("kinlab.scene.Mirror", Viewer)
+        await pilot.press("m", "up")
+        await settle(pilot)
+        np.testing.assert_allclose(shown[-1]["R1"], station.answer.path.arrival.q)
+        await pilot.press("m")
+        await settle(pilot)
+        assert shown[-1] == "closed"
+
+    run(script)
+
+
+def test_a_guest_reaches_no_viewer(run, lab, monkeypatch):
+    monkeypatch.setenv("KINLAB_GUEST", "1")
+
+    async def script(pilot, station):
+        await pilot.press("m")
+        await settle(pilot)
+        assert "out of reach of a session in the browser" in " ".join(lab.text(pilot.app).split())
 
     run(script)
 

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from kinlab.cli.command import NumericCommand, RobotsOption, command_app
+from kinlab.cli.command import JsonOption, NumericCommand, RobotsOption, command_app, print_json
 
 app = command_app()
 
@@ -26,6 +26,7 @@ def serve(
         int, typer.Option(help="How many there may be at a time; each takes about 75 MB.")
     ] = 8,
     robots: RobotsOption = None,
+    json: JsonOption = False,
 ) -> None:
     """The laboratory in a browser: for oneself, or for a class.
 
@@ -56,9 +57,13 @@ def serve(
     folders = own_folder() / "visitors"
 
     def ready(number: int) -> None:
-        _announce(host, number, sessions)
-        typer.echo(f"Progress and settings of each visitor: {folders}/NAME")
-        typer.echo("Ctrl-C ends all sessions.")
+        if json:
+            print_json({"url": _address(host, number), "sessions": sessions, "folders": str(folders)})
+        else:
+            _announce(host, number, sessions)
+            typer.echo(f"Progress and settings of each visitor: {folders}/NAME")
+            typer.echo("Ctrl-C ends all sessions.")
+        _warn(host)
         sys.stdout.flush()
 
     server = LabServer(
@@ -74,24 +79,32 @@ def serve(
         asyncio.run(server.run(ready))
 
 
-def _announce(host: str, port: int, sessions: int) -> None:
-    """Where it is, and who can get there."""
+def _address(host: str, port: int) -> str:
+    """What to type into a browser."""
     import socket
 
+    if host in ("0.0.0.0", "::"):
+        host = socket.gethostname()
+    return f"http://[{host}]:{port}" if ":" in host else f"http://{host}:{port}"
+
+
+def _announce(host: str, port: int, sessions: int) -> None:
+    """Where it is, and for whom."""
     from kinlab.tui.web.gate import is_loopback
 
     people = "one visitor" if sessions == 1 else f"{sessions} visitors"
-    where = f"[{host}]" if ":" in host else host
-    if is_loopback(host):
-        typer.echo(f"KinLab is at http://{where}:{port} for {people} at a time, on this machine alone.")
-        return
-    everywhere = host in ("0.0.0.0", "::")
-    typer.echo(
-        f"KinLab is at http://{socket.gethostname() if everywhere else where}:{port} for {people} at a time."
-    )
-    typer.echo(
-        "Everybody who reaches this machine over the network can use it: there is no password, and nothing is\n"
-        "encrypted. They run KinLab on this machine, as you, but reach no serial port and only files of their own.\n"
-        "Do this in a network that you trust. From outside, let people in through ssh or a proxy with a password.",
-        err=True,
-    )
+    alone = ", on this machine alone" if is_loopback(host) else ""
+    typer.echo(f"KinLab is at {_address(host, port)} for {people} at a time{alone}.")
+
+
+def _warn(host: str) -> None:
+    """Say what an address exposes that others can reach."""
+    from kinlab.tui.web.gate import is_loopback
+
+    if not is_loopback(host):
+        typer.echo(
+            "Everybody who reaches this machine over the network can use it: there is no password, and nothing\n"
+            "is encrypted. They run KinLab on this machine, as you, but reach no serial port and only files of\n"
+            "their own. Do this in a network that you trust; from outside, let people in through ssh.",
+            err=True,
+        )

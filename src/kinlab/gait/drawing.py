@@ -36,8 +36,8 @@ def draw_support(
     """The feet of one frame from above, x up and y to the left: what stands, what swings, what they carry.
 
     Args:
-        around: frames that have the same scale, so that the picture stands still while it is played. Their
-            legs are drawn, too.
+        around: frames that have the same scale, so that the picture stands still while it is played. Body
+            and legs are drawn, too, the legs dashed.
     """
     motion = state.motion
     legs = motion.walk.robot.legs
@@ -62,7 +62,7 @@ def draw_support(
             canvas.line(start, end, "axis")
         for chain, stands in zip(chains, state.down, strict=True):
             for start, end in pairwise(map(_above, chain)):
-                canvas.line(start, end, "link2" if stands else "link1")
+                canvas.line(start, end, "link2" if stands else "link1", dashed=True)
     for start, end in zip(corners, [*corners[1:], *corners[:1]], strict=True):
         canvas.line(start, end, "link0")
     for foot, stands in zip(feet, state.down, strict=True):

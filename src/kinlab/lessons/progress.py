@@ -6,7 +6,6 @@ A file that is damaged is set aside, and what can be read of it goes on in a new
 """
 
 import json
-import os
 import re
 import secrets
 from collections.abc import Iterable, Mapping
@@ -18,15 +17,14 @@ from pathlib import Path
 from typing import Any
 
 from kinlab.errors import FileError, UsageError
-from kinlab.files import locked, write_whole
+from kinlab.files import locked, own_folder, write_whole
 
 FORMAT = 1
-HOME = "KINLAB_HOME"
 PROFILE = "student"
 ENDING = ".jsonl"
 EVENTS = ("try", "hint", "shown", "reset")
 TRIES_BEFORE_SOLUTION = 3
-ELSEWHERE = f"${HOME} can name another folder for the progress"
+ELSEWHERE = "$KINLAB_HOME can name another folder for the progress"
 _NAME = re.compile(r"\w[\w.@-]{0,63}")
 
 
@@ -148,7 +146,7 @@ class Progress:
 
         Args:
             profile: its name.
-            folder: of all profiles; None: $KINLAB_HOME, else where the system keeps a user's data.
+            folder: of all profiles; None: `progress_folder`.
 
         Raises:
             UsageError: no name for a profile.
@@ -300,13 +298,8 @@ def _parse(raw: bytes) -> tuple[dict[str, Any], list[Event], bool]:
 
 
 def progress_folder() -> Path:
-    """Where profiles are kept: $KINLAB_HOME, else the place that the system has for a user's data."""
-    home = os.environ.get(HOME)
-    if home:
-        return Path(home) / "progress"
-    from platformdirs import user_data_path
-
-    return user_data_path("kinlab", appauthor=False) / "progress"
+    """Where profiles are kept, among what is the user's own."""
+    return own_folder() / "progress"
 
 
 def profiles(folder: Path | None = None) -> list[str]:

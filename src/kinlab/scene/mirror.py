@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kinlab.errors import KinlabError, UsageError
+from kinlab.guests import refuse_to_guests
 from kinlab.robots import Limb, Robot
 from kinlab.robots.body import resting
 from kinlab.scene import blueprints
@@ -40,9 +41,10 @@ class Mirror:
             address: HOST:PORT, PORT or rerun+http://HOST:PORT/proxy of this machine.
 
         Raises:
-            UsageError: no such address, or one of another machine.
+            UsageError: no such address, one of another machine, or the user is a guest, who sits elsewhere.
             KinlabError: nobody listens there, or rerun is not installed.
         """
+        refuse_to_guests("a viewer")
         parts = _ADDRESS.fullmatch(address)
         if parts is None or not 1 <= int(parts[2]) <= 65535:
             raise UsageError(

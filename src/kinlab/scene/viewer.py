@@ -12,6 +12,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from kinlab.errors import KinlabError, UsageError
+from kinlab.guests import refuse_to_guests
 from kinlab.scene.page import LOOPBACK, passed_on
 from kinlab.scene.recording import Recording, load_rerun
 
@@ -103,8 +104,10 @@ def viewing(recording: Recording, view: View) -> Iterator["subprocess.Popen[byte
     """A viewer with a recording in it, closed at the end; its page answers at once.
 
     Raises:
+        UsageError: the user is a guest, who sits elsewhere.
         KinlabError: as `check_viewer`, or the viewer has ended with an error.
     """
+    refuse_to_guests("a viewer")
     check_viewer(view)
     decline_reports()
     with ExitStack() as stack:

@@ -51,6 +51,7 @@ class KinlabApp(App[None]):
         tongue: the language's code.
         ascii_only: whether drawings must do without braille and other signs.
         settings: what is kept between runs.
+        unkept: why it could not be kept; empty where it could.
     """
 
     MODES: ClassVar[dict[str, str | Callable[[], Screen[Any]]]] = {
@@ -78,12 +79,19 @@ class KinlabApp(App[None]):
         """
         super().__init__()
         self.folder = folder or own_folder()
+        self.unkept = ""
         self.settings, self.set_aside = Settings.load(self.folder / "tui.json")
         self.tongue = self._first_language()
         self.ascii_only = _plain()
         self._station = next((name for name in (station, self.settings.station) if name in STATIONS), "robot")
         for theme in themes.THEMES:
             self.register_theme(theme)
+        known = {theme.name for theme in themes.THEMES}
+        # Set before anything is drawn, so that nothing is styled twice.
+        self.set_reactive(
+            App.theme, self.settings.theme if self.settings.theme in known else themes.DARK.name
+        )
+        self.stylesheet.set_variables(self.get_css_variables())
 
     def _first_language(self) -> str:
         if os.environ.get("KINLAB_LANG") or self.settings.language not in LANGUAGES:
@@ -107,8 +115,6 @@ class KinlabApp(App[None]):
         return ()
 
     def on_mount(self) -> None:
-        known = {theme.name for theme in themes.THEMES}
-        self.theme = self.settings.theme if self.settings.theme in known else themes.DARK.name
         self.open_station(self._station)
         if self.set_aside is not None:
             text = words_of("kinlab.tui").say(self.tongue, "shell.damaged", file=self.set_aside)
@@ -177,7 +183,7 @@ class KinlabApp(App[None]):
         for station in self.stations:
             if station.is_mounted:
                 self.settings.stations[station.NAME] = station.state()
-        self.settings.save(self.folder / "tui.json")
+        self.unkept = self.settings.save(self.folder / "tui.json")
 
     def exit(self, *args: Any, **settings: Any) -> None:
         """Keep the settings, and leave."""
@@ -211,4 +217,6 @@ def run(station: str | None = None) -> int:
     app = KinlabApp(station)
     app.animation_level = "none"
     app.run()
+    if app.unkept:
+        sys.stderr.write(f"kinlab: {app.unkept}\n")
     return app.return_code or 0

@@ -32,7 +32,8 @@ class Actions(Provider):
             keys = action.keys.split(",")
             for i, run in enumerate(action.runs):
                 which = f" ({keys[i]})" if action.each else ""
-                title = station.say(f"action.{action.id}.label") + which
+                area = f"{station.say(f'station.{station.NAME}')}: " if action in station.ACTIONS else ""
+                title = area + station.say(f"action.{action.id}.label") + which
                 yield title, station.say(f"action.{action.id}.help"), partial(station.run_action, run)
 
     async def discover(self) -> Hits:

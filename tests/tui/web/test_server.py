@@ -2,6 +2,7 @@
 
 import asyncio
 import json
+import sys
 
 import numpy as np
 import pytest
@@ -20,7 +21,7 @@ def test_a_visitor_types_a_target_and_reads_the_angles(serve):
         async with served.visit(size=(110, 30)) as visitor:
             await visitor.see("xl430-hexapod", "Reached", "x 75")
             # The first field has the focus. Keys that come in one burst may overtake each other.
-            await visitor.type("\x15")
+            await visitor.type("\x05\x15")
             await visitor.see("A number is wanted here")
             await visitor.type("80")
             await visitor.see("x 80", *(f"{angle:.3f}".rstrip("0") for angle in wanted))
@@ -43,10 +44,11 @@ def test_a_session_reaches_no_serial_port_and_no_file_of_the_machine(serve, tmp_
             await visitor.see("dxl>")
             await visitor.type(f"load {outside}\r")
             await visitor.see("give a plain name")
-            await visitor.type("ping 1; save mine\r")
+            # Lines that come in one piece are carried out one by one.
+            await visitor.type("ping 1\rping 2\rsave mine\r")
             await visitor.see("saved to")
         (folder,) = served.folders.iterdir()
-        assert (folder / "files" / "mine").read_text().splitlines()[-1] == "ping 1"
+        assert (folder / "files" / "mine").read_text().splitlines()[-2:] == ["ping 1", "ping 2"]
 
     serve(script, small=False)
 
@@ -211,5 +213,25 @@ def test_the_page_names_nothing_outside_and_lets_nothing_in(serve):
         assert "//" not in (page + style + script_).replace(f"ws://{served.place}/ws", "").replace(
             "// Keys", ""
         )
+
+    serve(script)
+
+
+def test_a_program_that_does_not_go_is_ended_by_force(serve, monkeypatch):
+    monkeypatch.setattr("kinlab.tui.web.session.PATIENCE", 0.2)
+
+    async def script(served):
+        stubborn = "import sys, time; print('__GANGLION__', flush=True)\nwhile True: time.sleep(1)"
+        served.server._words = (sys.executable, "-c", stubborn)
+        async with served.visit() as visitor:
+            async with asyncio.timeout(60):
+                while not served.server.sessions:
+                    await asyncio.sleep(0.01)
+            (session,) = served.server.sessions
+            assert not visitor.line.closed
+        async with asyncio.timeout(60):
+            while len(served.told) < 2:
+                await asyncio.sleep(0.01)
+        assert session._process.returncode is not None
 
     serve(script)

@@ -1,10 +1,16 @@
 """What stands in for the terminal in a session that is served to a browser."""
 
 from textual.drivers.web_driver import WebDriver
+from textual.events import AppFocus
 
 
 class GuestDriver(WebDriver):
     """Textual's driver for browsers, with an end like any other's: what was chosen is kept, however the end came."""
+
+    def start_application_mode(self) -> None:
+        """Begin with the focus, which the page takes; Textual's own begins without, and shows no cursor."""
+        super().start_application_mode()
+        self._app.call_later(self._app.post_message, AppFocus())
 
     def on_meta(self, packet_type: str, payload: dict[str, object]) -> None:
         """Do what the server asks for; to quit is to leave as by the key."""

@@ -85,10 +85,11 @@ class Session(AppService):
         process, self._task = self._process, None
         if process is None:
             return
-        if process.returncode is None:
-            with suppress(ProcessLookupError):
-                process.kill()
-        await process.wait()
+        try:
+            await asyncio.wait_for(process.wait(), PATIENCE)
+        except TimeoutError:
+            process.kill()
+            await process.wait()
         self.stdin.close()
 
     async def attend(self) -> None:

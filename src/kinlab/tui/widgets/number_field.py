@@ -93,6 +93,9 @@ class NumberField(Input):
         self._judge(None)
         with self.prevent(Input.Changed):
             self.value = shown(number)
+        # As when it got the focus: what is typed next takes the place of the number.
+        if self.has_focus:
+            self.action_select_all()
 
     def action_nudge(self, steps: int) -> None:
         """Go some steps up or down."""

@@ -15,13 +15,14 @@ from kinlab.control import Environment, PositionGains
 from kinlab.errors import KinlabError
 from kinlab.papers.receptionist_line import there_and_back
 from kinlab.rig.arm import GAIN_SETS, LAWS, Lab, Settings
-from kinlab.rig.arm.drawing import VIEWS, draw_arm, pull
+from kinlab.rig.arm.drawing import VIEWS, draw_arm
 from kinlab.robots import load_robot
 from kinlab.tui.actions import Action
 from kinlab.tui.facts import fitting
 from kinlab.tui.numbers import shown
 from kinlab.tui.station import Station
 from kinlab.tui.stations.arm.curves import PLOTS, curves, facts
+from kinlab.tui.stations.arm.hand import Hand
 from kinlab.tui.stations.arm.view import ArmView
 from kinlab.tui.widgets import Choice, Dial, Picture, Plot
 
@@ -29,8 +30,6 @@ ROBOT = "receptionist-arm"
 EVERY = 0.05  # s between pictures
 LATEST = 0.2  # s that a late picture makes up for
 PLOT_EVERY = 2  # pictures
-# How long a key pushes, s of the arm's own time; a key that is held goes on pushing.
-PULSE = 0.3
 TRAIL = 1.2  # s of the hand's way that are drawn
 # Gains and the force of the keys: unit, the slider's end and step, the least that can be typed.
 DIALS = {
@@ -41,15 +40,6 @@ DIALS = {
     "denv": ("s", 20.0, 0.5, 0.0),
     "menv": ("s2", 10.0, 0.1, 0.001),
     "push": ("N", 10.0, 0.5, 0.0),
-}
-# Where keys push: in the plane of the side view, and across it.
-DIRECTIONS = {
-    "left": -VIEWS["side"][0],
-    "right": VIEWS["side"][0],
-    "up": VIEWS["side"][1],
-    "down": -VIEWS["side"][1],
-    "in": -VIEWS["behind"][0],
-    "out": VIEWS["behind"][0],
 }
 
 
@@ -73,39 +63,7 @@ class ArmStation(Station):
         Action("law", "w", shown=False),
         Action("next_limb", "l", shown=False),
     )  # fmt: skip
-    CSS = """
-    ArmStation {
-        #body { padding: 0 1; }
-        .row { height: 1; }
-        .row Choice { margin-right: 1; width: 16; }
-        .row Button { min-width: 9; height: 1; border: none; margin-right: 1; }
-        #dials { height: auto; grid-size: 2; grid-rows: 1; grid-gutter: 0 2; }
-        #dials Dial.-refused NumberField { color: $vermillion; text-style: bold underline; }
-        #dials Dial .name { width: 5; }
-        #dials Dial .unit { width: 4; }
-        #dials NumberField { width: 8; }
-        #facts { height: 1; }
-        #floor { height: 1fr; }
-        #views { width: 40%; }
-        #plots { width: 1fr; padding-left: 2; }
-        ArmView, Plot { height: 1fr; }
-        #behind { display: none; }
-        &.-narrow {
-            .row Choice { width: 13; }
-            .row #joint { width: 15; }
-            .row Button { min-width: 7; margin: 0; }
-            Plot { display: none; }
-            Plot.chosen { display: block; }
-        }
-        &.-wide {
-            #dials { grid-size: 4; }
-            &.-tall {
-                #behind { display: block; }
-                #facts, #views ArmView, Plot { margin-bottom: 1; }
-            }
-        }
-    }
-    """
+    CSS_PATH = "station.tcss"
 
     def __init__(self) -> None:
         super().__init__()
@@ -119,9 +77,7 @@ class ArmStation(Station):
         self.playing = False
         self.fault = ""
         self.bench: Lab
-        self.force: tuple[float, float, float] | None = None
-        self._until = 0.0
-        self._pulled: tuple[str, float, float] | None = None
+        self.hand = Hand()
         self._seen = self._owed = 0.0
         self._pictures = 0
 
@@ -193,7 +149,8 @@ class ArmStation(Station):
         if hasattr(self, "bench"):
             self.bench.close()
         self.bench = Lab(self.robot, self.limb, there_and_back(self.limb), self.settings)
-        self.fault, self.force, self._pulled, self._owed = "", None, None, 0.0
+        self.fault, self._owed = "", 0.0
+        self.hand.let_go()
         self._show_settings()
         self.relabel()
 
@@ -240,12 +197,7 @@ class ArmStation(Station):
         """Let the arm go on by cycles; when it runs away it is stopped, and says so."""
         lab = self.bench
         for _ in range(cycles):
-            if self._pulled and lab.moments:
-                view, x, y = self._pulled
-                self.force = pull(self.limb, lab.moments[-1].angles["real"], view, (x, y))
-            elif self.force and lab.moments and lab.moments[-1].t >= self._until:
-                self.force = None
-            lab.lean(self.force)
+            self.hand.act(lab)
             try:
                 lab.cycle()
             except KinlabError as error:
@@ -265,7 +217,7 @@ class ArmStation(Station):
         for view in self.query(ArmView):
             view.redraw()
         line = self.query_one("#facts", Static)
-        line.update(fitting(facts(self.say, self.bench), line.size.width))
+        line.update(fitting(facts(self.say, self.bench), line.size.width), layout=False)
         if not plots:
             return
         for name in PLOTS:
@@ -282,7 +234,7 @@ class ArmStation(Station):
         )
         return draw_arm(
             self.limb, angles["real"], lab.track, view=view, reference=angles["reference"], trail=lab.trail(TRAIL),
-            force=self.force, columns=columns, rows=rows, ascii_only=ascii_only,
+            force=self.hand.force, columns=columns, rows=rows, ascii_only=ascii_only,
         )  # fmt: skip
 
     def _caption(self, view: str, canvas: Canvas) -> str:
@@ -300,9 +252,6 @@ class ArmStation(Station):
     def _chosen(self, event: Select.Changed) -> None:
         event.stop()
         name, box = str(event.value), event.select.id
-        # A list tells of its first value after what was kept has taken its place.
-        if event.value != event.select.value:
-            return
         self.query_one("#side").focus()
         if box == "limb":
             self.limb = self.robot.limbs[name]
@@ -334,13 +283,14 @@ class ArmStation(Station):
     @on(Picture.Pointed)
     def _pointed(self, event: Picture.Pointed) -> None:
         event.stop()
-        self._pulled = (event.picture.id or "", event.x, event.y)
-        self._play(True)
+        if isinstance(event.picture, ArmView):
+            self.hand.hold(event.picture.id or "", (event.x, event.y))
+            self._play(True)
 
     @on(ArmView.LetGo)
     def _let_go(self, event: ArmView.LetGo) -> None:
         event.stop()
-        self._pulled = self.force = None
+        self.hand.let_go()
 
     def action_play(self) -> None:
         """Let the arm go on, or hold time."""
@@ -350,10 +300,8 @@ class ArmStation(Station):
 
     def action_push(self, way: str) -> None:
         """Push the hand for a moment; the arm goes on."""
-        x, y, z = (DIRECTIONS[way] * self.newtons).tolist()
-        self.force = (x, y, z)
         moments = self.bench.moments
-        self._until = (moments[-1].t if moments else 0.0) + PULSE
+        self.hand.push(way, self.newtons, moments[-1].t if moments else 0.0)
         if not self.playing:
             self.action_play()
 

@@ -1,24 +1,19 @@
 """The Gait stage: a walk that is played, stopped, stepped, and walked on emulated servos meanwhile."""
 
 import time
-from functools import partial
-from textwrap import wrap
 from typing import Any
 
 import numpy as np
-from textual import on, work
+from textual import on
 from textual.app import ComposeResult
 from textual.containers import Horizontal, Vertical
-from textual.timer import Timer
 from textual.widgets import Select, Static
-from textual.worker import get_current_worker
 
 from kinlab.canvas import Canvas
 from kinlab.errors import KinlabError
 from kinlab.gait import Cycle, Walk, cycle_of, find_gait, gaits_for, plan
 from kinlab.gait.drawing import draw_support, draw_swing
 from kinlab.gait.plan import SPEED
-from kinlab.rig import Sample, Treadmill
 from kinlab.robots import Robot
 from kinlab.robots.load import load_robots
 from kinlab.tui.actions import Action
@@ -26,17 +21,15 @@ from kinlab.tui.facts import fitting
 from kinlab.tui.numbers import shown
 from kinlab.tui.station import Station
 from kinlab.tui.stations.gait.diagram import Diagram
-from kinlab.tui.stations.gait.readings import costs, joint_speeds, pace, walking
+from kinlab.tui.stations.gait.readings import joint_speeds, pace, walking
+from kinlab.tui.stations.gait.rig import WalkingRig
 from kinlab.tui.stations.gait.transport import Transport
 from kinlab.tui.widgets import Choice, Dial, Picture, Plot
 
 EVERY = 0.05  # s between pictures
 # A picture that comes late moves the walk on by no more than this, s.
 LATEST = 0.2
-# How long nothing may change before the rig takes up a walk, s: a slider that is dragged makes many.
-QUIET = 0.2
-# Ticks of the rig that one picture may wait for, and pictures from one power curve to the next.
-TICKS, POWER_EVERY = 10, 5
+POWER_EVERY = 5  # pictures from one power curve to the next
 POINTS = 120  # of a curve
 # How fast people may ask a robot to go where no servo is known, m/s, and to turn, deg/s.
 FAST, TURN = 0.1, 45.0
@@ -59,45 +52,7 @@ class GaitStation(Station):
         Action("turn", "less_than_sign,greater_than_sign", each=("turn(1)", "turn(-1)"), display="< >"),
         Action("begin", "home", shown=False),
     )
-    CSS = """
-    GaitStation {
-        #body { padding: 0 1; }
-        .row { height: 1; }
-        .row Choice { margin-right: 1; }
-        #robot { width: 19; }
-        #gait { width: 16; }
-        #leg { width: 12; }
-        .row Dial { width: 1fr; margin-right: 1; }
-        .row Dial .name { width: 7; }
-        .row Dial.-refused NumberField { color: $vermillion; text-style: bold underline; }
-        #facts { height: 3; }
-        #floor { height: 1fr; }
-        #left { width: 44; }
-        #right { width: 1fr; padding-left: 2; }
-        #swing, #top, #margin, #power, #more { height: 1fr; }
-        #joints { height: auto; }
-        &.page-walk { #margin, #more { display: none; } }
-        &.page-servos { #swing, #top { display: none; } }
-        &.-narrow {
-            Transport { display: none; }
-            #left { width: 33; }
-            .row NumberField { width: 6; }
-        }
-        &.-wide {
-            #left { width: 40%; }
-            #swing, #top, #more { display: block; }
-            #margin { display: none; }
-            #more { height: 9; layout: horizontal; }
-            #joints { width: 3fr; }
-            #power { width: 2fr; height: 100%; padding-left: 2; }
-            &.-tall {
-                #margin { display: block; }
-                #more { height: 11; }
-                #facts, #diagram, #margin, #top { margin-bottom: 1; }
-            }
-        }
-    }
-    """
+    CSS_PATH = "station.tcss"
 
     def __init__(self) -> None:
         super().__init__()
@@ -110,9 +65,7 @@ class GaitStation(Station):
         self.playing = False
         self.t = 0.0
         self.cycle: Cycle
-        self.mill: Treadmill | None = None
-        self.mill_problem = ""
-        self._settling: Timer | None = None
+        self.rig = WalkingRig()
         self._seen = 0.0
         self._facts = ""
         self._pictures = 0
@@ -127,6 +80,7 @@ class GaitStation(Station):
             yield Dial(unit="mm/s", low=-100, high=100, step=1, number=self.speed_mm_s, id="speed")
             yield Dial(unit="deg/s", low=-TURN, high=TURN, step=1, number=self.turn_deg_s, id="turn")
         yield Static(id="facts", markup=False)
+        yield self.rig
         with Horizontal(id="floor"):
             with Vertical(id="left"):
                 yield Diagram(id="diagram")
@@ -216,7 +170,7 @@ class GaitStation(Station):
             dial.show(number)
             dial.remove_class("-refused")
         self.query_one("#diagram", Diagram).show(cycle.walk.gait, tuple(leg.name for leg in robot.legs))
-        self._step_on(cycle.walk)
+        self.rig.take_up(cycle.walk)
 
     def _show_walk(self) -> None:
         cycle = self.cycle
@@ -231,9 +185,6 @@ class GaitStation(Station):
     def _chosen(self, event: Select.Changed) -> None:
         event.stop()
         name, box = str(event.value), event.select.id
-        # A list tells of its first value after what was kept has taken its place.
-        if event.value != event.select.value:
-            return
         self.query_one("#diagram").focus()
         if box == "robot":
             self._use(self.robots[name])
@@ -260,47 +211,6 @@ class GaitStation(Station):
             return
         self._show_walk()
 
-    # The rig.
-
-    def _step_on(self, walk: Walk) -> None:
-        """Let the emulated robot walk another walk."""
-        self._leave_mill()
-        self.mill_problem = ""
-        if self._settling is not None:
-            self._settling.stop()
-        self._settling = self.set_timer(QUIET, partial(self._open_mill, walk))
-
-    def _leave_mill(self) -> None:
-        if self.mill is not None:
-            self.mill.close()
-            self.mill = None
-
-    @work(thread=True, exclusive=True, exit_on_error=False)
-    def _open_mill(self, walk: Walk) -> None:
-        worker = get_current_worker()
-        mill, problem = None, ""
-        try:
-            mill = Treadmill(walk)
-        except KinlabError as error:
-            problem = str(error)
-        if not worker.is_cancelled:
-            self.app.call_from_thread(self._take_mill, walk, mill, problem)
-        elif mill is not None:
-            mill.close()
-
-    def _take_mill(self, walk: Walk, mill: Treadmill | None, problem: str) -> None:
-        if walk is not self.cycle.walk:
-            if mill is not None:
-                mill.close()
-            return
-        self.mill, self.mill_problem = mill, problem
-        self._show()
-
-    @property
-    def sample(self) -> Sample | None:
-        """What the rig measured at the instant that is shown; None where it has not."""
-        return self.mill.at(self.t) if self.mill is not None else None
-
     # Time.
 
     def _tick(self) -> None:
@@ -310,16 +220,14 @@ class GaitStation(Station):
             return
         if self.playing:
             self.t += passed
-        behind = self.mill is not None and (not self.mill.samples or self.mill.samples[-1].t < self.t)
-        if behind and self.mill is not None:
-            self.mill.tread(self.t, TICKS)
-        if self.playing or behind:
+        if self.rig.tread(self.t) or self.playing:
             self._show()
 
     def seek(self, t: float) -> None:
         """Stop, and show the instant `t`, s; one before the first cycle is that of the first cycle."""
         self._play(False)
         self.t = t if t >= 0 else t % self.cycle.walk.period
+        self.rig.tread(self.t)
         self._show()
 
     def _play(self, on: bool) -> None:
@@ -333,27 +241,23 @@ class GaitStation(Station):
         self.query_one("#diagram", Diagram).point(self.t / cycle.walk.period % 1)
         for name in ("#top", "#swing"):
             self.query_one(name, Picture).redraw()
-        sample = self.sample
         facts = self.query_one("#facts", Static)
         lines = [walking(self.say, cycle, frame), pace(self.say, cycle, frame)]
-        if self.mill_problem:
-            lines = _beside(lines, self.say("facts.no_rig", why=self.mill_problem), facts.size.width)
-        elif self.mill is None or sample is None:
-            lines.append([self.say("facts.measuring")])
-        else:
-            lines.append(costs(self.say, self.mill, sample))
         text = "\n".join(fitting(line, facts.size.width) for line in lines)
         if text != self._facts:
             self._facts = text
-            facts.update(text)
-        self._show_servos(frame, sample)
+            facts.update(text, layout=False)
+        self.rig.show(self.say, self.t)
+        self._show_servos(frame)
 
-    def _show_servos(self, frame: int, sample: Sample | None) -> None:
+    def _show_servos(self, frame: int) -> None:
         joints = self.query_one("#joints", Static)
         if joints.region.width:
-            joints.update(
-                joint_speeds(self.say, self.cycle, frame, sample, joints.size.width, self.lab.ascii_only)
+            speeds = joint_speeds(
+                self.say, self.cycle, frame, self.rig.at(self.t), joints.size.width, self.lab.ascii_only
             )
+            # Places are worked out anew only where another robot has more legs, or fewer.
+            joints.update(speeds, layout=len(speeds.plain.splitlines()) != joints.size.height)
         margin = self.query_one("#margin", Plot)
         if margin.region.width:
             now = self._margins[frame]
@@ -362,9 +266,9 @@ class GaitStation(Station):
             )
         self._pictures += 1
         power = self.query_one("#power", Plot)
-        power.visible = not self.mill_problem
+        power.visible = not self.rig.problem
         if power.region.width and (self._pictures % POWER_EVERY == 0 or not self.playing):
-            samples = list(self.mill.samples) if self.mill else []
+            samples = list(self.rig.mill.samples) if self.rig.mill else []
             thin = samples[:: max(len(samples) // POINTS, 1)]
             power.plot({"": [(s.t, s.power) for s in thin]}, self.say("plot.power"))
 
@@ -458,8 +362,10 @@ class GaitStation(Station):
     def _turned(self, event: Diagram.Turned) -> None:
         self.action_frame(event.frames)
 
-    def on_unmount(self) -> None:
-        self._leave_mill()
+    @on(WalkingRig.Ready)
+    def _taken_up(self, event: WalkingRig.Ready) -> None:
+        event.stop()
+        self._show()
 
 
 def _walks(robot: Robot) -> bool:
@@ -469,9 +375,3 @@ def _walks(robot: Robot) -> bool:
     except KinlabError:
         return False
     return True
-
-
-def _beside(lines: list[list[str]], sentence: str, width: int) -> list[list[str]]:
-    """Three lines: those there are and a sentence, which takes the place of the second where it is long."""
-    folded = wrap(sentence, max(width, 20))
-    return [*lines[: max(3 - len(folded), 1)], *([part] for part in folded[:2])]

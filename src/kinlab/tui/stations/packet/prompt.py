@@ -7,6 +7,7 @@ from rich.highlighter import Highlighter
 from rich.text import Text
 from textual import on
 from textual.binding import Binding, BindingType
+from textual.events import Key
 from textual.message import Message
 from textual.suggester import Suggester
 from textual.widgets import Input
@@ -16,6 +17,15 @@ from kinlab.dynamixel.sandbox.prompting import candidates, coloured
 from kinlab.tui.stations.packet.styles import rich_style
 
 REMEMBERED = 200
+# Keys that must not be overtaken by the letters after them, as in lines that arrive in one piece.
+IN_TURN = {
+    "enter": "submit",
+    "tab": "complete",
+    "backspace": "delete_left",
+    "delete": "delete_right",
+    "up": "older",
+    "down": "newer",
+}
 
 
 class Prompt(Input):
@@ -26,12 +36,7 @@ class Prompt(Input):
     """
 
     DEFAULT_CSS = "Prompt { width: 1fr; background: transparent; }"
-    BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("up", "older", show=False),
-        Binding("down", "newer", show=False),
-        Binding("tab", "complete", show=False),
-        Binding("escape", "give_up", show=False),
-    ]
+    BINDINGS: ClassVar[list[BindingType]] = [Binding("escape", "give_up", show=False)]
 
     @dataclass
     class Entered(Message):
@@ -54,11 +59,19 @@ class Prompt(Input):
         super().__init__(
             compact=True, highlighter=_Colours(self), suggester=_Ghost(self), select_on_focus=False, id=id
         )
+        self.cursor_blink = False
         self.session = session
         self.history: list[str] = []
         self._at = 0
         self._draft = ""
         self._cycle: list[str] = []
+
+    async def on_key(self, event: Key) -> None:
+        """Carry out such a key in its turn; Textual would come to it after the letters that follow it."""
+        if action := IN_TURN.get(event.key):
+            event.stop()
+            event.prevent_default()
+            await self.run_action(action)
 
     def remember(self, line: str) -> None:
         """Add a line to those that Up brings back."""
@@ -115,6 +128,12 @@ class Prompt(Input):
             self._set(start + chosen)
         self.post_message(self.Offered(self._cycle, chosen))
 
+    async def action_submit(self) -> None:
+        """Hand the line over, and begin another."""
+        line, self.value = self.value, ""
+        self.remember(line)
+        self.post_message(self.Entered(line))
+
     def action_give_up(self) -> None:
         """Empty the line; an empty one gives the keys to the station."""
         if self.value:
@@ -132,14 +151,6 @@ class Prompt(Input):
     @on(Input.Changed)
     def _typed(self) -> None:
         self._cycle = []
-
-    @on(Input.Submitted)
-    def _entered(self, event: Input.Submitted) -> None:
-        event.stop()
-        line = self.value
-        self.value = ""
-        self.remember(line)
-        self.post_message(self.Entered(line))
 
 
 def _common_start(texts: list[str]) -> str:

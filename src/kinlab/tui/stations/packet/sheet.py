@@ -26,6 +26,7 @@ class Sheet(VerticalScroll, can_focus=True):
     def __init__(self, *, id: str | None = None) -> None:
         super().__init__(id=id)
         self._lines: Sequence[Line] = ()
+        self._rows = 0
         self._page = Static(markup=False)
 
     def compose(self) -> ComposeResult:
@@ -33,8 +34,9 @@ class Sheet(VerticalScroll, can_focus=True):
 
     def put(self, lines: Sequence[Line], *, to_end: bool = False) -> None:
         """Show these lines from the first one on, or down to the last one."""
-        self._lines = lines
-        self._write()
+        if lines != self._lines:
+            self._lines = lines
+            self._write()
         if to_end:
             self.scroll_end(animate=False)
         else:
@@ -45,4 +47,7 @@ class Sheet(VerticalScroll, can_focus=True):
 
     def _write(self) -> None:
         width = max(self.scrollable_content_region.width, 20)
-        self._page.update(Content("\n").join(content(row) for row in folded(self._lines, width)))
+        rows = folded(self._lines, width)
+        # The layout of the screen is the costly part; it changes only where the height does.
+        self._page.update(Content("\n").join(content(row) for row in rows), layout=len(rows) != self._rows)
+        self._rows = len(rows)

@@ -84,6 +84,7 @@ class PacketStation(Station):
         self.view = VIEWS[0]
         self.held = False
         self._lines: list[Line] | None = None  # what the last line led to; None before the first one
+        self._shown_sign = ""
         self._seen = time.monotonic()
 
     def compose_body(self) -> ComposeResult:
@@ -182,14 +183,16 @@ class PacketStation(Station):
                 [("verb" if i == 0 else "", line)] for i, line in enumerate(self.say("welcome").splitlines())
             ]
         self.query_one(Sheet).put(lines, to_end=typed is not None)
-        self.query_one("#sign", Static).update(Content(self._sign()))
+        if (sign := self._sign()) != self._shown_sign:
+            self._shown_sign = sign
+            self.query_one("#sign", Static).update(Content(sign))
 
     def _sign(self) -> str:
         return "dxl> " if self.session.assembling is None else f"step {len(self.session.assembling)}> "
 
     def _show_hint(self) -> None:
         typed = hint(self.session, self.query_one(Prompt).value)
-        self.query_one("#hint", Static).update(Content(typed or self.say("hint")))
+        self.query_one("#hint", Static).update(Content(typed or self.say("hint")), layout=False)
 
     def _show_registers(self) -> None:
         self.query_one(Registers).put(holdings(self.session, self.servo), "<" if self.lab.ascii_only else "◂")
@@ -197,7 +200,7 @@ class PacketStation(Station):
     def _show_condition(self) -> None:
         """Supply, speed and faults, and whether anybody can still answer."""
         text = ", ".join(conditions(self.session, self.servo, self.say, held=self.held))
-        self.query_one("#condition", Static).update(Content(text))
+        self.query_one("#condition", Static).update(Content(text), layout=False)
         why = silence(self.session)
         if self.has_class("-silent") != bool(why):
             self.set_class(bool(why), "-silent")
@@ -380,7 +383,7 @@ class PacketStation(Station):
     @on(Prompt.Offered)
     def _offered(self, event: Prompt.Offered) -> None:
         words = [f"[{text}]" if text == event.chosen else text for text in event.found]
-        self.query_one("#hint", Static).update(Content("  ".join(words)))
+        self.query_one("#hint", Static).update(Content("  ".join(words)), layout=False)
 
     @on(Input.Changed, "Prompt")
     def _typed(self) -> None:

@@ -26,4 +26,5 @@ ACTIONS = (
     Action("ghost", "p"),
     Action("bounds", "b", shown=False),
     Action("home", "h", shown=False),
+    Action("mirror", "m", shown=False),
 )

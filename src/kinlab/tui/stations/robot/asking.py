@@ -4,24 +4,30 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from kinlab.errors import KinlabError
 from kinlab.kinematics.transforms import Array
 from kinlab.papers.path import WholePath, whole_path
 from kinlab.papers.tour import first_target
 from kinlab.rig.bench import LimbBench, bench_of
 from kinlab.robots import Limb
 from kinlab.robots.views import SIDE, TOP, View, size_of, view
+from kinlab.tui.stations.robot.mirroring import Reflection
 from kinlab.tui.stations.robot.question import Question
 
 
 @dataclass(frozen=True, eq=False)
 class Answer:
-    """The path, the planes in which it is seen, and the box (2, 3), metres, limb frame, that holds the limb."""
+    """The path, the planes in which it is seen, and the box (2, 3), metres, limb frame, that holds the limb.
+
+    `unmirrored` says why it is not in a viewer, where it was to be.
+    """
 
     question: Question
     path: WholePath
     side: View
     top: View
     box: Array
+    unmirrored: str = ""
 
 
 class Asker:
@@ -31,6 +37,7 @@ class Asker:
         self._limb: Limb | None = None
         self._bench: LimbBench | None = None
         self._no_bench = ""
+        self._reflection = Reflection()
         self._box = np.zeros((2, 3))
 
     def ask(self, question: Question) -> Answer:
@@ -57,4 +64,17 @@ class Asker:
         )
         place, attitude = path.answer.target, path.answer.rotation
         side, top = (view(limb, name, place, self._box, attitude) for name in (SIDE, TOP))
-        return Answer(question, path, side, top, self._box)
+        return Answer(question, path, side, top, self._box, self._reflect(question, path))
+
+    def _reflect(self, question: Question, path: WholePath) -> str:
+        try:
+            if not question.mirrored:
+                self._reflection.close()
+            else:
+                # What the servos report is where the limb is; without servos, where it would be.
+                q = path.pose.q if path.pose is not None else None
+                reported = path.arrival.q if path.arrival is not None and path.arrival.answered else q
+                self._reflection.show(question.robot, question.limb, reported)
+        except KinlabError as error:
+            return str(error)
+        return ""

@@ -48,16 +48,16 @@ class Form(VerticalScroll, can_focus=False):
         yield from self._dials[: len(PLACES)]
         yield Choice(("-",), "-", id="solution")
 
-    def begin(self) -> None:
-        """Wait for the first number."""
-        self._use(len(PLACES))
-        self._dials[0].field.focus()
-
     def _dress(self, i: int, name: str, unit: str, span: tuple[float, float], number: float) -> None:
         dial = self._dials[i]
         dial.label(short(name, 8))
         dial.span(*span, 1.0, unit)
         dial.show(number)
+
+    def begin(self) -> None:
+        """Wait for the first number."""
+        self._use(len(PLACES))
+        self._dials[0].field.focus()
 
     def _use(self, count: int) -> None:
         new = [dial for dial in self._dials[:count] if dial.parent is None]

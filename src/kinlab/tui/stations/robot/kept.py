@@ -17,7 +17,7 @@ def kept_in(station: "RobotStation", state: dict[str, Any]) -> None:
     limb = robot.limbs.get(str(state.get("limb"))) if robot else None
     if robot is None or limb is None:
         return
-    station.take(robot, limb)
+    station.set(robot, limb)
     if state.get("frame") in FRAMES:
         station.frame = str(state["frame"])
     target, rpy = _numbers(state.get("target_m"), 3), _numbers(state.get("rpy_rad"), 3)

@@ -17,6 +17,7 @@ class Question:
         frame: in which places are shown.
         solution: the name of the wished one.
         powered: whether the emulated chain has its supply.
+        mirrored: whether the pose is shown in a viewer too.
     """
 
     robot: Robot
@@ -27,3 +28,4 @@ class Question:
     frame: str
     solution: str
     powered: bool
+    mirrored: bool = False

@@ -18,7 +18,7 @@ from kinlab.kinematics.transforms import Array
 from kinlab.robots import Limb, Robot
 from kinlab.robots.load import load_robots, shipped_robots
 from kinlab.robots.model import FRAMES
-from kinlab.robots.views import SIDE, TOP, Drawn, draw_view
+from kinlab.robots.views import SIDE, TOP
 from kinlab.tui.numbers import shown
 from kinlab.tui.station import Station
 from kinlab.tui.stations.robot.actions import ACTIONS
@@ -40,6 +40,7 @@ class RobotStation(Station):
 
     NAME = "robot"
     ACTIONS = ACTIONS
+    AUTO_FOCUS = ""  # the form takes the focus itself, once it is laid out
     CSS = """
     RobotStation {
         #choices { height: 1; background: $surface; }
@@ -52,7 +53,7 @@ class RobotStation(Station):
         #rows, #print { height: auto; width: 1fr; }
     }
     RobotStation #path:focus { background: $panel; }
-    RobotStation.-tall #path { max-height: 55%; }
+    RobotStation.-tall #path { max-height: 50%; }
     RobotStation.-wide Form { width: 44; }
     RobotStation.-narrow {
         #robot { width: 18; } #limb { width: 14; }
@@ -77,7 +78,7 @@ class RobotStation(Station):
         self.rpy: Array = np.zeros(3)
         self.angles: Array | None = None
         self.frame, self.solution = "limb", ""
-        self.powered, self.ghost, self.bounds = True, False, True
+        self.powered, self.mirrored, self.ghost, self.bounds = True, False, False, True
         self.answer: Answer | None = None
         self.stood: Array | None = None
         self._asker: Asker | None = None
@@ -120,8 +121,9 @@ class RobotStation(Station):
 
     def ready(self) -> None:
         self.relabel()
-        self.ask()
         self.query_one(Form).begin()
+        # The first frame does not wait for the answer, nor for the rooms that it needs.
+        self.call_after_refresh(self.ask)
 
     def relabel(self) -> None:
         self.query_one("#robot", Choice).offer(self.robots, self.robot.name)
@@ -150,8 +152,9 @@ class RobotStation(Station):
         """Walk the path for what is set now. While one question is out, only the latest other one is kept."""
         attitude = self.rpy if len(self.limb.joints) >= 6 else None
         self._asked = Question(
-            self.robot, self.limb, self.target, attitude, self.angles, self.frame, self.solution, self.powered
-        )
+            self.robot, self.limb, self.target, attitude, self.angles, self.frame, self.solution,
+            self.powered, self.mirrored,
+        )  # fmt: skip
         if not self._busy:
             self._busy = True
             self.run_worker(self._answer_all(), group="path", exit_on_error=True)
@@ -170,7 +173,6 @@ class RobotStation(Station):
             self._busy = False
 
     def _ask_core(self, question: Question) -> "Answer":
-        # The first frame does not wait for rooms that only the answer needs: they are imported beside it.
         from kinlab.tui.stations.robot.asking import Asker
 
         self._asker = self._asker or Asker()
@@ -190,29 +192,33 @@ class RobotStation(Station):
         self._paint()
 
     def _paint(self) -> None:
-        """Show the answer of now."""
+        """Show the answer of now, if there is one."""
+        if self.answer is None:
+            return
         from kinlab.tui.stations.robot.telling import verdict
 
-        if self.answer is not None:
-            self.query_one(Form).offer_solutions(self.answer, self.say)
-            self._show_rows()
-            self._redraw()
-            refused, self.refused = self.refused, ""
-            self.tell(*(("warn", refused) if refused else verdict(self.answer, self.say)))
+        self.query_one(Form).offer_solutions(self.answer, self.say)
+        self._show_rows()
+        self._redraw()
+        if self.answer.unmirrored:
+            self.mirrored, self.refused = False, self.answer.unmirrored
+        refused, self.refused = self.refused, ""
+        self.tell(*(("warn", refused) if refused else verdict(self.answer, self.say)))
 
     def _show_rows(self) -> None:
+        if self.answer is None:
+            return
         from kinlab.tui.stations.robot.table import path_rows, print_rows
 
-        if self.answer is not None:
-            width, roomy = self.query_one("#path").size.width - 3, self.has_class("-tall")
-            beside = width >= BESIDE
-            width = max(width // 2 if beside else width, 40)
-            path = self.answer.path
-            blocks = [path_rows(path, self.say, width), print_rows(path, self.say, width, roomy=roomy)]
-            self.query_one("#print").display = beside
-            if beside:
-                retext(self.query_one("#print", Static), blocks.pop())
-            retext(self.query_one("#rows", Static), Content("\n").join(blocks))
+        width, roomy = self.query_one("#path").size.width - 3, self.has_class("-tall")
+        beside = width >= BESIDE
+        width = max(width // 2 if beside else width, 40)
+        path = self.answer.path
+        blocks = [path_rows(path, self.say, width), print_rows(path, self.say, width, roomy=roomy)]
+        self.query_one("#print").display = beside
+        if beside:
+            retext(self.query_one("#print", Static), blocks.pop())
+        retext(self.query_one("#rows", Static), Content("\n").join(blocks))
 
     def _show_form(self) -> None:
         form = self.query_one(Form)
@@ -230,24 +236,13 @@ class RobotStation(Station):
     def _draw(self, name: str, columns: int, rows: int, ascii_only: bool) -> Canvas | None:
         if self.answer is None:
             return None
-        seen = self.answer.top if name == TOP else self.answer.side
-        from kinlab.papers.path import angles_of
+        from kinlab.tui.stations.robot.drawing import draw
 
-        path = self.answer.path
-        others = [pose.q for pose in path.answer.poses if pose is not path.pose]
-        # Out of reach, the limb stays where it stood.
-        if not others and path.pose is None and self.stood is not None:
-            others = [self.stood]
-        beside = [Drawn(q, "", "other") for q in others[:1]]
-        if self.ghost:
-            for variant in path.printed:
-                q = angles_of(variant, path.answer.limb)
-                if q is not None:
-                    beside.append(Drawn(q, self.say("printed.ghost"), "printed"))
-        return draw_view(
-            seen, None if path.pose is None else path.pose.q, path.answer.target,
-            beside=beside, nearest=path.answer.nearest, limits=self.bounds,
-            columns=columns, rows=rows, ascii_only=ascii_only,
+        seen = self.answer.top if name == TOP else self.answer.side
+        printed = self.say("printed.ghost") if self.ghost else ""
+        return draw(
+            self.answer, seen, columns, rows,
+            stood=self.stood, printed=printed, limits=self.bounds, ascii_only=ascii_only,
         )  # fmt: skip
 
     def _side_caption(self, canvas: Canvas) -> str:
@@ -315,9 +310,10 @@ class RobotStation(Station):
             self.ask()
 
     def _posed(self) -> Array:
-        """The angles of now; those of the limits' middle where the target has none."""
-        pose = self.answer and self.answer.path.pose
-        return pose.q if pose else self.limb.limits.mean(axis=0)
+        """The angles of now; where the target has none, those in which the limb stands; else the limits' middle."""
+        if self.answer is None or self.answer.question.limb is not self.limb or self.stood is None:
+            return np.asarray(self.limb.limits.mean(axis=0))
+        return self.stood
 
     def _begin_at_angles(self, angles: Array | None) -> None:
         self.angles = angles
@@ -326,11 +322,15 @@ class RobotStation(Station):
 
     def take(self, robot: Robot, limb: Limb | None = None) -> None:
         """Go on with another limb, at the place where its paper begins."""
-        self.robot, self.limb = robot, limb or robot.limb()
-        self.target, self.rpy = None, np.zeros(3)
-        self.angles, self.solution = None, ""
+        self.set(robot, limb or robot.limb())
         self.relabel()
         self.ask()
+
+    def set(self, robot: Robot, limb: Limb) -> None:
+        """Another limb; shows nothing yet."""
+        self.robot, self.limb = robot, limb
+        self.target, self.rpy = None, np.zeros(3)
+        self.angles, self.solution = None, ""
 
     # Keys.
 
@@ -383,6 +383,11 @@ class RobotStation(Station):
     def action_power(self) -> None:
         """Switch the supply of the emulated chain."""
         self.powered = not self.powered
+        self.ask()
+
+    def action_mirror(self) -> None:
+        """Show the limb in a viewer too, or no longer."""
+        self.mirrored = not self.mirrored
         self.ask()
 
     def check_action(self, action: str, parameters: tuple[object, ...]) -> bool | None:
