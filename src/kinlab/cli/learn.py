@@ -84,7 +84,7 @@ def _start(
         bool, typer.Option("--figures/--no-figures", help="Draw figures, or describe them in words.")
     ] = True,
     ascii_only: Annotated[
-        bool, typer.Option("--ascii", help="Figures of plain characters, without braille.")
+        bool, typer.Option("--ascii", help="Figures of plain characters, as with KINLAB_ASCII=1.")
     ] = False,
     json: JsonOption = False,
 ) -> None:
@@ -106,9 +106,10 @@ def _start(
 
         watch_file(sitting, watch)
     else:
+        from kinlab.canvas import without_braille
         from kinlab.cli.learn_session import Session
 
-        Session(sitting, course, figures=figures, ascii_only=ascii_only).run()
+        Session(sitting, course, figures=figures, ascii_only=ascii_only or without_braille()).run()
 
 
 @app.command("check", cls=NumericCommand, epilog="Example: kinlab learn check leg-geometry foot 75,3 -63 -28")
