@@ -98,6 +98,16 @@ def test_a_damaged_file_is_set_aside_whole_and_what_can_be_read_goes_on(
     assert later.events == again.events
 
 
+def test_a_damaged_first_line_keeps_the_numbers_where_the_seed_can_be_read(tmp_path: Path) -> None:
+    first = Progress(folder=tmp_path)
+    first.begin()
+    first.path.write_bytes(first.path.read_bytes().replace(b'{"format"', b'\x00format"', 1))
+    again = Progress(folder=tmp_path)
+    assert again.set_aside is not None
+    assert again.seed == first.seed
+    assert Progress(folder=tmp_path).set_aside is None
+
+
 def test_a_full_disk_leaves_a_damaged_file_as_it_is(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     path = tmp_path / "ani.jsonl"
     path.write_bytes(b"garbage")

@@ -25,6 +25,7 @@ ENDING = ".jsonl"
 EVENTS = ("try", "hint", "shown", "reset")
 TRIES_BEFORE_SOLUTION = 3
 ELSEWHERE = "$KINLAB_HOME can name another folder for the progress"
+_SEED = re.compile(r'"seed": "([^"\\\ufffd]{1,64})"')
 _NAME = re.compile(r"\w[\w.@-]{0,63}")
 
 
@@ -292,6 +293,9 @@ def _parse(raw: bytes) -> tuple[dict[str, Any], list[Event], bool]:
                 events.append(Event.read(data))
         except (ValueError, RecursionError):
             sound = False
+            # Another seed would make every answer that was given one to other numbers.
+            if number == 0 and (seed := _SEED.search(line)):
+                head = {"seed": seed[1]}
     if "\ufffd" in raw.decode("utf-8", errors="replace") and b"\xef\xbf\xbd" not in raw:
         sound = False
     return head, events, sound and bool(head)
