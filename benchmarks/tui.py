@@ -38,6 +38,7 @@ KEYS: dict[str, tuple[Sequence[str], Sequence[str]]] = {
     "gait": (("escape",), ("right", "right", "right", "left")),
     "packet": ((), ("p", "i", "n", "g", "backspace", "backspace", "backspace", "backspace")),
     "arm": (("escape",), ("c", "j")),
+    "lessons": ((), ("down", "down", "up", "up")),
 }
 PLAYING = 5.0
 

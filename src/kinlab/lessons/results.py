@@ -20,6 +20,7 @@ class Reach:
         tip_mm: where the tip lies for angles in degrees.
         lower_deg, upper_deg: limits of the joints; none where they are empty.
         tip: what it is, "foot", "hand" or "tip".
+        limb: to be drawn; None where there is none.
     """
 
     target_mm: tuple[float, ...]
@@ -28,6 +29,7 @@ class Reach:
     lower_deg: tuple[float, ...] = ()
     upper_deg: tuple[float, ...] = ()
     tip: str = "foot"
+    limb: "Limb | None" = None
 
 
 def limb_reach(limb: "Limb", target_mm: Sequence[float]) -> Reach:
@@ -47,6 +49,7 @@ def limb_reach(limb: "Limb", target_mm: Sequence[float]) -> Reach:
         tuple(lower.tolist()),
         tuple(upper.tolist()),
         "foot" if limb.stance is not None else "hand",
+        limb,
     )
 
 

@@ -57,6 +57,19 @@ class Hint:
     text: str
 
 
+@dataclass(frozen=True)
+class Step:
+    """A piece of a lesson to take at once.
+
+    Attributes:
+        parts: what there is to read and to see first.
+        task: the exercise that follows; None at the end of the lesson.
+    """
+
+    parts: tuple[Text | Figure, ...]
+    task: Task | None
+
+
 class Sitting:
     """A student at a lesson.
 
@@ -104,6 +117,22 @@ class Sitting:
             else:
                 found.append(part)
         return found
+
+    def steps(self) -> list[Step]:
+        """The lesson cut behind its exercises; the last step has none.
+
+        Raises:
+            LessonError: a placeholder has no value.
+        """
+        found: list[Step] = []
+        before: list[Text | Figure] = []
+        for part in self.parts():
+            if isinstance(part, Task):
+                found.append(Step(tuple(before), part))
+                before = []
+            else:
+                before.append(part)
+        return [*found, Step(tuple(before), None)]
 
     def _fill(self, text: str, place: Place) -> str:
         try:

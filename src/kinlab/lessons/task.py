@@ -23,12 +23,14 @@ class Verdict:
         code: why, in a word: "right", "unit", "sign", "near", "wrong", ...
         message: a sentence for the student.
         counts: whether it was a try; what cannot be read is none.
+        faults: which parts of a reply that has several are wrong, from 0; none where it is wrong as a whole.
     """
 
     ok: bool
     code: str
     message: str
     counts: bool = True
+    faults: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -94,13 +96,14 @@ class Task:
         """The engine's own words."""
         return words_of("kinlab.lessons").say(self.language, key, **values)
 
-    def verdict(self, ok: bool, code: str, *, own: str | None = None, **values: object) -> Verdict:
+    def verdict(
+        self, ok: bool, code: str, *, own: str | None = None, faults: Sequence[int] = (), **values: object
+    ) -> Verdict:
         """A verdict whose words are the lesson's (`own`, else its feedback), else the engine's."""
         if own is None and code in self.wording.feedback:
             own = self.text(self.wording.feedback[code])
-        return Verdict(
-            ok, code, own if own is not None else self.say(f"{self.exercise.kind}.{code}", **values)
-        )
+        said = own if own is not None else self.say(f"{self.exercise.kind}.{code}", **values)
+        return Verdict(ok, code, said, faults=tuple(faults))
 
     def slip(self, number: int) -> Verdict:
         """The verdict on a known wrong answer, from 0."""

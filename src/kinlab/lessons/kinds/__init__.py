@@ -33,6 +33,12 @@ def kind_of(task: Task) -> Kind:
     return cast(Kind, import_module(f"kinlab.lessons.kinds.{task.exercise.kind}"))
 
 
+def offers(task: Task) -> dict[str, str]:
+    """What there is to choose from or to put in order: texts by what is typed for each; nothing in other kinds."""
+    offered: dict[str, str] = getattr(kind_of(task), "offers", lambda _: {})(task)
+    return offered
+
+
 def judge(task: Task, reply: str) -> Verdict:
     """What is said to a reply; one that cannot be read is no try."""
     try:

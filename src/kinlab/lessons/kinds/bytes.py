@@ -50,11 +50,13 @@ def judge(task: Task, reply: str) -> Verdict:
             False, "short", count=len(got), name=field_of(want, len(got)), why=_why(task, want, len(got))
         )
     if got.startswith(want):
-        return task.verdict(False, "long", count=len(want), more=len(got) - len(want))
+        more = range(len(want), len(got))
+        return task.verdict(False, "long", faults=more, count=len(want), more=len(more))
     at = next(i for i, (a, b) in enumerate(zip(got, want, strict=False)) if a != b)
     return task.verdict(
         False,
         "byte",
+        faults=[at],
         number=at + 1,
         byte=f"{got[at]:02X}",
         name=field_of(want, at),
@@ -63,10 +65,10 @@ def judge(task: Task, reply: str) -> Verdict:
 
 
 def field_of(packet: bytes, at: int) -> str:
-    """The name of the field that a byte of a right packet belongs to."""
+    """The name of the field that a byte of a right packet belongs to; bytes that are no packet are data."""
     for part in dissect(packet).fields:
         if part.offset <= at < part.offset + len(part.data):
-            return part.name
+            return part.name if part.name != "noise" else "data"
     return "data"
 
 

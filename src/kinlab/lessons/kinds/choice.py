@@ -16,9 +16,14 @@ def letters(task: Task) -> dict[str, str]:
     return {chr(ord("a") + i): key for i, key in enumerate(keys)}
 
 
+def offers(task: Task) -> dict[str, str]:
+    """The options by their letters."""
+    return {letter: task.text(task.wording.options[key]) for letter, key in letters(task).items()}
+
+
 def shape(task: Task) -> str:
     """The options, and that a letter is enough."""
-    options = [f"{letter}) {task.text(task.wording.options[key])}" for letter, key in letters(task).items()]
+    options = [f"{letter}) {text}" for letter, text in offers(task).items()]
     return "  \n".join(options) + "\n\n" + task.say("choice.shape")
 
 

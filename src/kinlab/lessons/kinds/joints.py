@@ -38,6 +38,15 @@ def wrong(task: Task) -> Sequence[str]:
     return found
 
 
+def angles_deg(task: Task, reply: str) -> list[float]:
+    """The angles that a reply gives.
+
+    Raises:
+        UnreadableError: it gives none.
+    """
+    return [in_unit(each, "deg") for each in numbers(reply, len(task.field["names"]))]
+
+
 def _reach(task: Task) -> Reach:
     reach = task.answer
     if not isinstance(reach, Reach):
@@ -65,11 +74,11 @@ def judge(task: Task, reply: str) -> Verdict:
     off = _off(reach, angles)
     shown = f"{off:.1f}"
     if off <= allowed:
-        for name, angle, low, high in zip(names, angles, reach.lower_deg, reach.upper_deg, strict=False):
+        limits = zip(names, angles, reach.lower_deg, reach.upper_deg, strict=False)
+        for i, (name, angle, low, high) in enumerate(limits):
             if not low - 1e-3 <= angle <= high + 1e-3:
-                return task.verdict(
-                    False, "limit", name=name, angle=f"{angle:g}", low=f"{low:g}", high=f"{high:g}"
-                )
+                turn = {"angle": f"{angle:g}", "low": f"{low:g}", "high": f"{high:g}"}
+                return task.verdict(False, "limit", faults=[i], name=name, **turn)
         return task.verdict(True, "right", tip=_tip(task), distance=shown)
     if not any(each.unit for each in given) and _off(reach, [math.degrees(a) for a in angles]) <= allowed:
         return task.verdict(False, "unit", tip=_tip(task), distance=shown)
@@ -79,7 +88,7 @@ def judge(task: Task, reply: str) -> Verdict:
             return task.slip(number)
     for i, name in enumerate(names):
         if _off(reach, [*angles[:i], -angles[i], *angles[i + 1 :]]) <= allowed:
-            return task.verdict(False, "sign", name=name, tip=_tip(task), distance=shown)
+            return task.verdict(False, "sign", faults=[i], name=name, tip=_tip(task), distance=shown)
     place = ", ".join(f"{v:.1f}" for v in reach.tip_mm(angles))
     if off <= 10 * allowed:
         return task.verdict(False, "near", tip=_tip(task), distance=shown, place=place)

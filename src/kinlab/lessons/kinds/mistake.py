@@ -7,9 +7,14 @@ from kinlab.lessons.replies import UnreadableError, clean, quote
 from kinlab.lessons.task import Task, Verdict
 
 
+def offers(task: Task) -> dict[str, str]:
+    """The lines by their numbers."""
+    return {str(i): task.text(line) for i, line in enumerate(task.field["lines"], 1)}
+
+
 def shape(task: Task) -> str:
     """The lines with their numbers, as a block of code: equations are full of stars and underscores."""
-    lines = [f"    ({i})  {task.text(line)}" for i, line in enumerate(task.field["lines"], 1)]
+    lines = [f"    ({number})  {line}" for number, line in offers(task).items()]
     return "\n".join([*lines, "", task.say("mistake.shape", count=len(lines))])
 
 

@@ -29,11 +29,16 @@ def mixed(task: Task) -> list[str]:
     return keys
 
 
+def offers(task: Task) -> dict[str, str]:
+    """The items by what is typed for them."""
+    return {mark: task.text(task.wording.items.get(key, key)) for key, mark in labels(task).items()}
+
+
 def shape(task: Task) -> str:
     """The items, and that they go in one line."""
     marks = labels(task)
     if task.wording.items:
-        items = [f"{mark}) {task.text(task.wording.items.get(key, key))}" for key, mark in marks.items()]
+        items = [f"{mark}) {text}" for mark, text in offers(task).items()]
         return "  \n".join(items) + "\n\n" + task.say("order.shape", example=" ".join(marks.values()))
     return task.say("order.shape-keys", items="   ".join(marks))
 
@@ -99,10 +104,11 @@ def judge(task: Task, reply: str) -> Verdict:
     if _same(task, got[::-1]):
         return task.verdict(False, "reversed")
     if not task.field.get("rotation") and got[0] != want[0]:
-        return task.verdict(False, "first", item=_named(task, got[0]))
+        return task.verdict(False, "first", faults=[0], item=_named(task, got[0]))
     follows = {want[i]: want[(i + 1) % len(want)] for i in range(len(want))}
-    first, second = next((a, b) for a, b in pairwise(got) if follows[a] != b)
-    return task.verdict(False, "wrong", first=_named(task, first), second=_named(task, second))
+    at = next(i for i, (a, b) in enumerate(pairwise(got)) if follows[a] != b)
+    first, second = (_named(task, key) for key in got[at : at + 2])
+    return task.verdict(False, "wrong", faults=[at, at + 1], first=first, second=second)
 
 
 def _named(task: Task, key: str) -> str:

@@ -66,7 +66,8 @@ def judge(task: Task, reply: str) -> Verdict:
     ]
     distance = f"{off:.3g}{unit}"
     if rights:
-        return task.verdict(False, "partly", distance=distance, names=", ".join(rights))
+        others = [i for i, name in enumerate(names) if name not in rights]
+        return task.verdict(False, "partly", faults=others, distance=distance, names=", ".join(rights))
     if off <= max(NEAR_TOLERANCES * allowed, NEAR_SHARE * length):
         return task.verdict(False, "near", distance=distance)
     return task.verdict(False, "wrong", distance=distance)
@@ -78,11 +79,11 @@ def _changed(task: Task, got: list[float], right_one: list[float]) -> Verdict | 
     for i, name in enumerate(names):
         turned = [*got[:i], -got[i], *got[i + 1 :]]
         if math.dist(turned, right_one) <= allowed:
-            return task.verdict(False, "sign", name=name)
+            return task.verdict(False, "sign", faults=[i], name=name)
     for i in range(len(names)):
         for j in range(i):
             swapped = list(got)
             swapped[i], swapped[j] = got[j], got[i]
             if math.dist(swapped, right_one) <= allowed:
-                return task.verdict(False, "swapped", first=names[j], second=names[i])
+                return task.verdict(False, "swapped", faults=[j, i], first=names[j], second=names[i])
     return None

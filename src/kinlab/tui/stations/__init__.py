@@ -5,4 +5,5 @@ STATIONS: dict[str, str] = {
     "gait": "kinlab.tui.stations.gait.station:GaitStation",
     "packet": "kinlab.tui.stations.packet.station:PacketStation",
     "arm": "kinlab.tui.stations.arm.station:ArmStation",
+    "lessons": "kinlab.tui.stations.lessons.station:LessonsStation",
 }

@@ -1,0 +1,107 @@
+"""Two short questions: whose progress it is, and whether a lesson is really to begin anew."""
+
+from typing import ClassVar
+
+from textual import on
+from textual.app import ComposeResult
+from textual.binding import Binding, BindingType
+from textual.containers import Vertical
+from textual.content import Content
+from textual.screen import ModalScreen
+from textual.widgets import Input, OptionList, Static
+
+from kinlab.errors import UsageError
+from kinlab.lessons.progress import Progress, profiles
+from kinlab.tui.station import Station
+
+CSS = """
+{name} {{ align: center middle; }}
+{name} > Vertical {{
+    width: 60; max-width: 100%; height: auto; max-height: 100%;
+    background: $surface; border: round $quiet; padding: 0 1;
+}}
+{name} Static {{ height: auto; }}
+{name} .head {{ text-style: bold; }}
+{name} OptionList {{ height: auto; max-height: 8; border: none; padding: 0; background: $surface; }}
+{name} Input {{ background: $panel; }}
+{name} #wrong {{ color: $vermillion; text-style: bold; }}
+"""
+LEAVE = Binding("ctrl+q", "app.quit", show=False, priority=True)
+
+
+class Profiles(ModalScreen[str | None]):
+    """The profiles that there are, and a line for another name; gives the name, or None."""
+
+    DEFAULT_CSS = CSS.format(name="Profiles")
+    BINDINGS: ClassVar[list[BindingType]] = [Binding("escape", "dismiss", show=False), LEAVE]
+
+    def __init__(self, station: Station, profile: str) -> None:
+        super().__init__()
+        self._station = station
+        self._names = sorted({*profiles(), profile})
+        self._profile = profile
+
+    def compose(self) -> ComposeResult:
+        say = self._station.say
+        with Vertical():
+            yield Static(say("profiles.head"), classes="head", markup=False)
+            yield OptionList(*(Content(name) for name in self._names), compact=True, markup=False)
+            yield Static(say("profiles.other"), markup=False)
+            yield Input(compact=True)
+            yield Static(id="wrong", markup=False)
+            yield Static(say("profiles.close"), markup=False)
+
+    def on_mount(self) -> None:
+        names = self.query_one(OptionList)
+        names.highlighted = self._names.index(self._profile)
+        names.focus()
+
+    @on(OptionList.OptionSelected)
+    def _chosen(self, event: OptionList.OptionSelected) -> None:
+        event.stop()
+        self.dismiss(self._names[event.option_index])
+
+    @on(Input.Submitted)
+    def _entered(self, event: Input.Submitted) -> None:
+        event.stop()
+        try:
+            name = Progress(event.value.strip()).profile
+        except UsageError as error:
+            self.query_one("#wrong", Static).update(Content(str(error)))
+        else:
+            self.dismiss(name)
+
+
+class Sure(ModalScreen[bool]):
+    """Something that takes work away: only Y, or a click on the line that says so, does it."""
+
+    DEFAULT_CSS = CSS.format(name="Sure")
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("y", "dismiss(True)", show=False),
+        Binding("escape,n,t,q,enter", "dismiss(False)", show=False),
+        LEAVE,
+    ]
+
+    def __init__(self, station: Station, text: str) -> None:
+        super().__init__()
+        self._station = station
+        self._text = text
+
+    def compose(self) -> ComposeResult:
+        with Vertical():
+            yield Static(self._text, classes="head", markup=False)
+            yield OptionList(
+                *(Content(self._station.say(f"sure.{each}")) for each in ("no", "yes")),
+                compact=True,
+                markup=False,
+            )
+
+    def on_mount(self) -> None:
+        rows = self.query_one(OptionList)
+        rows.highlighted = 0
+        rows.focus()
+
+    @on(OptionList.OptionSelected)
+    def _chosen(self, event: OptionList.OptionSelected) -> None:
+        event.stop()
+        self.dismiss(event.option_index == 1)
