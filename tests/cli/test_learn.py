@@ -245,6 +245,18 @@ def test_a_broken_lesson_is_named_and_the_others_work(
     assert {"file": "mine/en.md", "line": 4}.items() <= linted.json["findings"][0].items()
 
 
+def test_an_exercise_without_a_translation_is_said_to_be_none(
+    types: Any, kinlab: Any, tmp_path: Path
+) -> None:
+    kinlab("learn", "new", "mine", "--lessons", tmp_path)
+    page = tmp_path / "mine" / "id.md"
+    text = page.read_text()
+    page.write_text(text[: text.index("```exercise")] + text[text.index("Akhiri") :])
+    out = types("skip", lesson="mine", options=("--lessons", str(tmp_path), "--lang", "id")).out
+    assert out.count("(en) Bagian berikut belum diterjemahkan.") == 1
+    assert out.index("(en) Bagian") < out.index("The femur stands")
+
+
 def test_a_new_lesson_passes_its_lint(kinlab: Any, tmp_path: Path) -> None:
     kinlab("learn", "new", "mine", "--lessons", tmp_path)
     run = kinlab("learn", "lint", "mine", "--lessons", tmp_path)

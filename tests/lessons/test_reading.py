@@ -169,8 +169,10 @@ def test_what_is_not_translated_stands_in_english_and_is_marked(lesson: Callable
     assert [text.fallback for text in texts] == [False, False]
     assert [type(part).__name__ for part in parts] == ["Text", "Figure", "Task", "Text"]
     assert sitting.tasks["height"].ask.startswith("The femur stands")
+    assert sitting.tasks["height"].fallback
     untranslated = Sitting.alone(read_lesson(lesson_without_translation(folder)), "ani", "id")
     assert untranslated.fallback
+    assert all(part.fallback for part in untranslated.parts() if isinstance(part, Text | Task))
 
 
 def lesson_without_translation(folder: Path) -> Path:
