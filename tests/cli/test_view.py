@@ -8,6 +8,7 @@ import sys
 import pytest
 
 from kinlab.cli.commands import COMMANDS
+from kinlab.shipped import install_line
 
 pytest.importorskip("rerun")
 psutil = pytest.importorskip("psutil")
@@ -144,7 +145,7 @@ def test_a_missing_rerun_is_answered_with_the_line_that_installs_it(kinlab, tmp_
         run = kinlab(*args, "--save" if args[0] == "view" else "--rrd", tmp_path / "a.rrd")
         assert run.code == 1
         assert run.out == ""
-        assert "pip install 'kinlab[view]'" in run.err
+        assert install_line("view") in run.err
     assert list(tmp_path.iterdir()) == []
 
 

@@ -58,7 +58,7 @@ def test_a_port_that_is_taken_is_named_with_the_option_that_chooses_another():
 
 def test_a_missing_viewer_is_answered_with_the_line_that_installs_it(monkeypatch):
     monkeypatch.setattr(viewer, "find_spec", lambda name: None)
-    with pytest.raises(KinlabError, match=r"pip install --force-reinstall 'kinlab\[view\]'"):
+    with pytest.raises(KinlabError, match=r"pip install --force-reinstall rerun-sdk"):
         program()
 
 

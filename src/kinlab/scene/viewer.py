@@ -96,7 +96,7 @@ def program() -> Path:
             if (path := Path(folder, name)).is_file():
                 return path
     raise KinlabError(
-        "rerun's viewer is missing; pip install --force-reinstall 'kinlab[view]' brings it back"
+        f"rerun's viewer is missing; {sys.executable} -m pip install --force-reinstall rerun-sdk brings it back"
     )
 
 
