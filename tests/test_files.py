@@ -24,6 +24,16 @@ def test_a_failure_leaves_nothing_behind(tmp_path):
     assert [p.name for p in tmp_path.iterdir()] == ["folder"]
 
 
+def test_ctrl_c_leaves_nothing_behind_and_is_passed_on(tmp_path, monkeypatch):
+    def stopped(*args):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(os, "replace", stopped)
+    with pytest.raises(KeyboardInterrupt):
+        write_whole(tmp_path / "file", "text")
+    assert list(tmp_path.iterdir()) == []
+
+
 def test_what_could_not_be_written_is_refused_before_the_work(tmp_path):
     (tmp_path / "file").write_text("")
     folder, none, inside = tmp_path, tmp_path / "none" / "a", tmp_path / "file" / "a"

@@ -4,6 +4,8 @@ A dot is as wide as high on a terminal whose cells are twice as high as wide, so
 both directions and nothing looks stretched.
 """
 
+import os
+import sys
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from itertools import pairwise
 
@@ -11,6 +13,13 @@ _DOTS = ((0x01, 0x08), (0x02, 0x10), (0x04, 0x20), (0x40, 0x80))
 _ASCII_LINE = "*"
 
 Point = tuple[float, float]
+
+
+def without_braille() -> bool:
+    """Whether the terminal cannot show braille: by wish ($KINLAB_ASCII), by its kind, or by its encoding."""
+    encoding = getattr(sys.__stdout__, "encoding", None) or "utf-8"
+    wish = os.environ.get("KINLAB_ASCII", "")
+    return wish not in ("", "0") or os.environ.get("TERM") == "linux" or "utf" not in encoding.lower()
 
 
 class Canvas:

@@ -66,8 +66,10 @@ def write_whole(path: Path, content: str | bytes, *, lasting: bool = False) -> N
         os.replace(draft, goal)
         if lasting and os.name == "posix":
             _sync_folder(goal.parent)
-    except OSError as error:
+    except (OSError, KeyboardInterrupt) as error:
         draft.unlink(missing_ok=True)
+        if isinstance(error, KeyboardInterrupt):
+            raise
         raise FileError(f"{path}: cannot be written: {error.strerror}") from None
 
 

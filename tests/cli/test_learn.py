@@ -93,14 +93,18 @@ def test_skipped_exercises_stay_open_and_are_named(types: Any) -> None:
     assert f"0 of {count} exercise(s) solved" in run.out
 
 
-def test_the_lesson_can_be_heard(types: Any) -> None:
+def test_the_lesson_can_be_heard(types: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("KINLAB_ASCII", raising=False)
     run = types("quit", options=("--no-figures",))
     assert "The leg" in run.out
     assert not any(0x2800 <= ord(c) < 0x2900 for c in run.out)
     assert "\x1b" not in run.out
     assert max(len(line) for line in run.out.splitlines()) <= 88
-    ascii_only = types("quit", options=("--ascii",)).out
-    assert not any(0x2800 <= ord(c) < 0x2900 for c in ascii_only)
+    assert any(0x2800 <= ord(c) < 0x2900 for c in types("quit").out)
+    by_option = types("quit", options=("--ascii",)).out
+    assert not any(0x2800 <= ord(c) < 0x2900 for c in by_option)
+    monkeypatch.setenv("KINLAB_ASCII", "1")
+    assert types("quit").out == by_option
 
 
 def test_control_characters_are_not_obeyed(types: Any) -> None:
@@ -165,7 +169,8 @@ def test_reset_asks_first(kinlab: Any, types: Any) -> None:
     refused = kinlab("learn", "reset", LEG, "-p", "ani")
     assert refused.code == 2
     assert "--yes" in refused.err
-    assert kinlab("learn", "reset", LEG, "-p", "ani", "--yes").code == 0
+    done = kinlab("learn", "reset", LEG, "-p", "ani", "--yes", "--json")
+    assert done.json == {"lesson": LEG, "open": [each.id for each in load_course().lesson(LEG).exercises]}
     assert (
         "solved"
         not in kinlab("learn", "list", "-p", "ani", "--json").json["lessons"][0]["exercises"].values()
@@ -188,6 +193,19 @@ def test_work_is_exported_and_verified(types: Any, kinlab: Any, tmp_path: Path, 
         found = kinlab("learn", "verify", file)
         assert found.code == 1
         assert "is said to be right and is wrong" in found.out
+
+
+def test_a_file_that_cannot_be_read_does_not_stop_the_class(types: Any, kinlab: Any, tmp_path: Path) -> None:
+    types("quit")
+    whole, broken = tmp_path / "whole.json", tmp_path / "broken.json"
+    kinlab("learn", "export", "-p", "ani", "-o", str(whole))
+    broken.write_text("{")
+    run = kinlab("learn", "verify", str(broken), str(whole), "--json")
+    assert run.code == 1
+    assert "broken.json: no valid JSON" in run.err
+    assert not run.json["ok"]
+    assert [student["file"] for student in run.json["students"]] == [str(whole)]
+    assert kinlab("learn", "verify", str(broken)).code == 2
 
 
 def test_exporting_nothing_says_so(kinlab: Any) -> None:
@@ -227,6 +245,18 @@ def test_a_broken_lesson_is_named_and_the_others_work(
     assert {"file": "mine/en.md", "line": 4}.items() <= linted.json["findings"][0].items()
 
 
+def test_an_exercise_without_a_translation_is_said_to_be_none(
+    types: Any, kinlab: Any, tmp_path: Path
+) -> None:
+    kinlab("learn", "new", "mine", "--lessons", tmp_path)
+    page = tmp_path / "mine" / "id.md"
+    text = page.read_text()
+    page.write_text(text[: text.index("```exercise")] + text[text.index("Akhiri") :])
+    out = types("skip", lesson="mine", options=("--lessons", str(tmp_path), "--lang", "id")).out
+    assert out.count("(en) Bagian berikut belum diterjemahkan.") == 1
+    assert out.index("(en) Bagian") < out.index("The femur stands")
+
+
 def test_a_new_lesson_passes_its_lint(kinlab: Any, tmp_path: Path) -> None:
     kinlab("learn", "new", "mine", "--lessons", tmp_path)
     run = kinlab("learn", "lint", "mine", "--lessons", tmp_path)
@@ -251,6 +281,8 @@ def test_a_lesson_is_one_document(kinlab: Any) -> None:
         (["--json", LEG], "--json goes behind the lesson"),
         (["verify", "/nowhere.json"], "/nowhere.json: cannot be read"),
         (["new", "../x"], "no name for a lesson"),
+        (["new", "list"], "'list' is a command of kinlab learn"),
+        (["reset", LEG, "--json"], "say --yes"),
     ],
 )
 def test_wrong_usage_is_said(kinlab: Any, arguments: list[str], message: str) -> None:

@@ -12,6 +12,7 @@ import urllib.request
 import pytest
 
 from kinlab.cli.serve import _address, _warn
+from kinlab.shipped import install_line
 
 
 @pytest.fixture
@@ -137,4 +138,4 @@ def test_without_the_extra_the_line_that_installs_it_is_given(kinlab, monkeypatc
         monkeypatch.delitem(sys.modules, name)
     run = kinlab("serve", "--port", 0)
     assert run.code == 1
-    assert "pip install 'kinlab[serve]'" in run.err
+    assert install_line("serve") in run.err

@@ -8,6 +8,7 @@ import sys
 import pytest
 
 from kinlab.cli.commands import COMMANDS
+from kinlab.shipped import install_line
 
 pytest.importorskip("rerun")
 psutil = pytest.importorskip("psutil")
@@ -78,6 +79,9 @@ def test_without_a_display_and_without_a_switch_it_says_what_can_be_done(kinlab)
         (("--arm", "track", "--save", "a.rrd"), "not of krsri-hexapod"),
         (("--target", 1, 2, "nan", "--save", "a.rrd"), "must be finite"),
         (("--serve", "--page-port", 70000), "from 1 to 65535"),
+        (("--save", "a.rrd", "--port", 9000), "--port is for a viewer"),
+        (("--save", "a.rrd", "--spawn", "--page-port", 9000), "--page-port is for the page of --serve"),
+        (("--save", "a.txt"), "call it a.rrd"),
     ],
 )
 def test_what_makes_no_picture_is_refused(kinlab, tmp_path, monkeypatch, args, word):
@@ -141,7 +145,7 @@ def test_a_missing_rerun_is_answered_with_the_line_that_installs_it(kinlab, tmp_
         run = kinlab(*args, "--save" if args[0] == "view" else "--rrd", tmp_path / "a.rrd")
         assert run.code == 1
         assert run.out == ""
-        assert "pip install 'kinlab[view]'" in run.err
+        assert install_line("view") in run.err
     assert list(tmp_path.iterdir()) == []
 
 
@@ -180,7 +184,9 @@ def test_a_full_disk_leaves_what_was_there(tmp_path):
     assert list(tmp_path.iterdir()) == [path]
 
 
-@pytest.mark.parametrize("ending", [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize(
+    "ending", [signal.SIGINT, signal.SIGTERM, *([signal.SIGHUP] if hasattr(signal, "SIGHUP") else [])]
+)
 def test_the_page_is_served_until_it_is_told_to_end(tmp_path, ending):
     from urllib.request import urlopen
 

@@ -35,11 +35,11 @@ def test_values_are_written_in_the_style_asked_for(text: str, filled: str) -> No
 
 
 @pytest.mark.parametrize(
-    "text", ["{y}", "{x.real}", "{x.__class__}", "{leg.femur}", "{leg}", "{x:.99f}", "{x:>9}"]
+    "text", ["{y}", "{x.real}", "{x.__class__}", "{leg.femur}", "{leg}", "{x:.99f}", "{x:>9}", "{far:d}"]
 )
 def test_what_is_no_value_is_refused_and_never_reached_into(text: str) -> None:
     with pytest.raises(UnknownNameError):
-        fill(text, {"x": 1.5, "leg": {"coxa": 25.0}})
+        fill(text, {"x": 1.5, "far": float("inf"), "leg": {"coxa": 25.0}})
 
 
 def test_a_value_is_not_filled_again() -> None:

@@ -30,8 +30,12 @@ def said(course: Course, name: str, reply: str, language: str = "en") -> Verdict
         ("number", "7396", "slip", "That is its square."),
         ("number", "3", "wrong", "far off"),
         ("number", "172 s", "unit-other", "asked for in mm"),
+        ("number", "**172 mm**", "right", ""),
+        ("number", "≈ 172", "right", ""),
+        ("number", "1e150", "no-number", "1e150"),
         ("share", "173.7", "right", ""),
         ("share", "174", "near", "1 %"),
+        ("share", "172 mm", "unit-none", "a bare number"),
         ("vector", "86 -12 98", "right", "86.0, -12.0, 98.0 mm"),
         ("vector", "8,6 -1,2 9,8", "unit", "right in cm"),
         ("vector", "86 12 98", "sign", "the sign of v"),
@@ -70,6 +74,7 @@ def said(course: Course, name: str, reply: str, language: str = "en") -> Verdict
         ("choice", "q", "no-option", "a, b"),
         ("mistake", "2", "right", "A factor of 2 is missing."),
         ("mistake", "(1)", "wrong", "Pythagoras"),
+        ("mistake", "٢", "right", ""),
         ("mistake", "7", "no-line", "from 1 to 2"),
         ("state", "write 1 goal_position 425; wait 2", "right", ""),
         ("state", "write 1 goal_position 500", "wrong", "present_position of servo 1"),
@@ -159,6 +164,15 @@ def test_a_state_is_reached_by_packets_and_by_nothing_else(samples: Course, line
     with pytest.raises(UsageError):
         bench.execute(line)
     assert bench.lines == []
+
+
+def test_too_long_a_wait_is_refused_and_shorter_ones_still_work(samples: Course) -> None:
+    bench = Workbench(Task.of(samples.lesson("every-kind"), "state", "ani"))
+    for line in ("wait 100", "wait nan"):
+        with pytest.raises(UsageError, match="60 s"):
+            bench.execute(line)
+    bench.execute("wait 60")
+    assert bench.lines == ["wait 60"]
 
 
 def test_a_workbench_goes_line_by_line_to_the_goal(samples: Course) -> None:

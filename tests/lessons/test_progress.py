@@ -75,6 +75,8 @@ def test_two_windows_at_once_keep_both(tmp_path: Path) -> None:
         lambda raw: raw.split(b"\n", 1)[1],
         lambda raw: raw.replace(b'"version": 3', b'"version": "three"', 1),
         lambda raw: raw + b"[" * 100_000 + b"\n",
+        lambda raw: raw.replace(b'"reply": "3"', b'"reply": "\\ud800"'),
+        lambda raw: raw.replace(b'"seed": "ani"', b'"seed": "\\ud800"'),
     ],
 )
 def test_a_damaged_file_is_set_aside_whole_and_what_can_be_read_goes_on(
@@ -94,6 +96,30 @@ def test_a_damaged_file_is_set_aside_whole_and_what_can_be_read_goes_on(
     later = Progress("ani", tmp_path)
     assert later.set_aside is None
     assert later.events == again.events
+
+
+def test_a_damaged_first_line_keeps_the_numbers_where_the_seed_can_be_read(tmp_path: Path) -> None:
+    first = Progress(folder=tmp_path)
+    first.begin()
+    first.path.write_bytes(first.path.read_bytes().replace(b'{"format"', b'\x00format"', 1))
+    again = Progress(folder=tmp_path)
+    assert again.set_aside is not None
+    assert again.seed == first.seed
+    assert Progress(folder=tmp_path).set_aside is None
+
+
+def test_a_full_disk_leaves_a_damaged_file_as_it_is(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = tmp_path / "ani.jsonl"
+    path.write_bytes(b"garbage")
+
+    def full(handle: int) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr("os.fsync", full)
+    with pytest.raises(FileError, match=r"ani\.jsonl.*No space left"):
+        Progress("ani", tmp_path)
+    assert {each.name for each in tmp_path.iterdir()} == {"ani.jsonl", "ani.jsonl.lock"}
+    assert path.read_bytes() == b"garbage"
 
 
 def test_a_file_of_a_newer_kinlab_is_left_alone(tmp_path: Path) -> None:

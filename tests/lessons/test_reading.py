@@ -1,5 +1,6 @@
 """Lessons' files: what is wrong is said with file and line, and what is right still works."""
 
+import os
 import re
 from collections.abc import Callable
 from pathlib import Path
@@ -39,7 +40,7 @@ WRONG = [
     (("version = 1\n", "version = \n"), "mine/en.md:4: no valid TOML"),
     (("beta = {", "beta = { step = 2, "), "mine/en.md:11: no valid TOML"),
     (("step = 5 }", "step = 0 }"), "mine/en.md:11: parameter 'beta' goes up"),
-    (("from = 10, to = 45, step = 5", "from = 10, to = 4500000, step = 1"), "at most 100000"),
+    (("from = 10, to = 45, step = 5", "from = 10, to = 4500000, step = 1"), "more than 100000 values"),
     (('kind = "number"', 'kind = "nummer"'), "no kind of exercise 'nummer'; did you mean number"),
     (("tolerance = 0.5\n", ""), "a number has a 'tolerance' in its unit, or a 'relative' one"),
     (("tolerance = 0.5\n", 'tolerance = "much"\n'), "mine/en.md:30: 'tolerance' is a number, not 'much'"),
@@ -49,7 +50,45 @@ WRONG = [
     (("Say what", "Say\x1b[31m what"), "mine/en.md:17: holds the control character U+001B"),
     (("Say what", "Say\u202e what"), "control character U+202E"),
     (('answer = "leg.height"', 'answer = { compute = "leg.height", code = "x" }'), "no field 'code'"),
+    (("The idea:", "\\u001b[31mThe idea:"), "mine/en.md:33: holds the control character U+001B"),
+    (("order = 1000", f"order = {'9' * 5000}"), "mine/en.md:2: no valid TOML: Exceeds the limit"),
+    (("order = 1000", f"order{'.a' * 5000} = 1"), "no valid TOML: maximum recursion depth"),
+    (("order = 1000", "order = nan"), "mine/en.md:6: 'order' is a number, not nan"),
+    (("{ from = 10, to = 45, step = 5 }", "{ pick = [inf] }"), "mine/en.md:11: parameter 'beta' picks"),
+    (("step = 5 }", "step = 1e-300 }"), "more than 100000 values"),
+    (('kind = "number"\n', ""), "mine/en.md:26: the field 'kind' is missing"),
+    (('title = "A title that asks or promises something"', 'title = ""'), "mine/en.md:2: 'title' is empty"),
 ]
+
+
+@pytest.mark.parametrize(
+    "make", [Path.mkdir, lambda path: os.mkfifo(path), lambda path: path.symlink_to("/dev/zero")]
+)
+def test_what_is_no_file_is_not_read(lesson: Callable[..., Path], make: Callable[[Path], None]) -> None:
+    folder = lesson(other=None)
+    make(folder / "id.md")
+    with pytest.raises(LessonError, match=r"mine/id\.md:1: is no file"):
+        read_lesson(folder)
+
+
+def test_a_glossary_that_cannot_be_read_is_named_with_its_line(lesson: Callable[..., Path]) -> None:
+    root = lesson().parent
+    for text, problem in (
+        ('[a]\nen = "x\\u001b[31m"', r"glossary\.toml:2: holds the control character U\+001B"),
+        ("[a]\nen = ", r"glossary\.toml:2: no valid TOML"),
+        ("a = " + "[" * 9999, r"glossary\.toml:1: no valid TOML"),
+        ("a = 3", r"glossary\.toml:1: 'a' is a table"),
+    ):
+        (root / "glossary.toml").write_text(text)
+        course = load_course(root)
+        assert re.match(problem, str(course.problems[0]))
+        assert "mine" in course.lessons
+
+
+def test_a_figure_is_as_wide_as_the_face_wants(lesson: Callable[..., Path]) -> None:
+    folder = lesson(("with = { alpha = 0 }", "with = { alpha = 0, columns = 100000000 }"))
+    [finding] = lint(load_course(folder.parent), ["mine"])
+    assert str(finding).startswith("mine/en.md:21: 'columns' is not a lesson's to give")
 
 
 @pytest.mark.parametrize(("change", "message"), WRONG)
@@ -109,6 +148,18 @@ def test_a_new_lesson_overwrites_nothing(tmp_path: Path) -> None:
         new_lesson("../mine", tmp_path)
 
 
+def test_a_full_disk_leaves_no_half_of_a_new_lesson(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def full(path: Path, content: str) -> None:
+        if path.name == "id.md":
+            raise FileError(f"{path}: cannot be written: No space left on device")
+        path.write_text(content)
+
+    monkeypatch.setattr("kinlab.lessons.template.write_whole", full)
+    with pytest.raises(FileError, match="No space left"):
+        new_lesson("mine", tmp_path)
+    assert not (tmp_path / "mine").exists()
+
+
 def test_what_is_not_translated_stands_in_english_and_is_marked(lesson: Callable[..., Path]) -> None:
     start, end = INDONESIAN.index("```exercise"), INDONESIAN.index("Akhiri")
     folder = lesson(other=((INDONESIAN[start:end], ""),))
@@ -118,8 +169,10 @@ def test_what_is_not_translated_stands_in_english_and_is_marked(lesson: Callable
     assert [text.fallback for text in texts] == [False, False]
     assert [type(part).__name__ for part in parts] == ["Text", "Figure", "Task", "Text"]
     assert sitting.tasks["height"].ask.startswith("The femur stands")
+    assert sitting.tasks["height"].fallback
     untranslated = Sitting.alone(read_lesson(lesson_without_translation(folder)), "ani", "id")
     assert untranslated.fallback
+    assert all(part.fallback for part in untranslated.parts() if isinstance(part, Text | Task))
 
 
 def lesson_without_translation(folder: Path) -> Path:

@@ -89,10 +89,22 @@ def test_another_version_is_a_note_and_no_accusation(samples: Course, tmp_path: 
     document = to_json(taken(samples, tmp_path).progress, samples)
     for event in document["events"]:
         event["version"] = 2
-    document["exercises"] = []
+    for claim in document["exercises"]:
+        claim["version"] = 2
     result = handed(samples, tmp_path / "ani.json", document)
     assert result.forged == ()
     assert result.notes == ("every-kind: was taken in version 2, and the course has 3",)
+
+
+def test_an_answer_in_the_students_words_is_right_in_every_language(samples: Course, tmp_path: Path) -> None:
+    sitting = Sitting(samples.lesson("every-kind"), Progress("ani", tmp_path), "id")
+    task = sitting.tasks["choice"]
+    right = task.text(task.wording.options[task.answer])
+    assert sitting.check("choice", f"({right})").ok
+    assert right != task.text(task.exercise.wording["en"].options[task.answer])
+    result = handed(samples, tmp_path / "ani.json", to_json(sitting.progress, samples))
+    assert result.forged == ()
+    assert result.solved == 1
 
 
 def test_replies_are_no_formulas_for_a_spreadsheet(samples: Course, tmp_path: Path) -> None:
@@ -116,6 +128,7 @@ def test_replies_are_no_formulas_for_a_spreadsheet(samples: Course, tmp_path: Pa
         '{"format": 1, "profile": "a", "seed": "a", "events": 3}',
         "a,b\n1,2\n",
         "[" * 9999,
+        '{"format": 1, "profile": "student", "seed": "\\ud800", "events": []}',
     ],
 )
 def test_a_file_that_is_no_export_is_named(text: str, tmp_path: Path) -> None:
@@ -123,6 +136,14 @@ def test_a_file_that_is_no_export_is_named(text: str, tmp_path: Path) -> None:
     path.write_text(text)
     with pytest.raises(FileError, match=r"odd\.json"):
         read_handed(path)
+
+
+def test_a_row_that_is_no_event_is_noted(samples: Course, tmp_path: Path) -> None:
+    text = to_csv(taken(samples, tmp_path).progress)
+    odd = text.splitlines()[1].replace(",3,", f",{'9' * 5000},", 1)
+    result = handed(samples, tmp_path / "ani.csv", f"{text}{odd}\n")
+    assert result.notes == ("line 15 cannot be read",)
+    assert result.solved == 12
 
 
 def test_events_that_are_none_are_noted(samples: Course, tmp_path: Path) -> None:

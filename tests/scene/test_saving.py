@@ -35,9 +35,10 @@ def test_folders_devices_and_places_that_are_not_there_are_refused(tmp_path):
     for path, word in (
         (tmp_path, "it is a folder"),
         (tmp_path / "none" / "a.rrd", "there is no folder"),
-        (tmp_path / "pipe", "is a device or a pipe"),
+        (tmp_path / "pipe.rrd", "is a device or a pipe"),
+        (tmp_path / "a.txt", "knows a recording by its ending; call it a.rrd"),
     ):
-        if path.name == "pipe":
+        if path.name == "pipe.rrd":
             import os
 
             os.mkfifo(path)

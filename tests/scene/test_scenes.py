@@ -145,7 +145,17 @@ def test_an_unreachable_target_shows_the_limb_where_it_comes_nearest(read_back):
     near = stood(robot) @ limb.mount @ np.append(answer.nearest, 1)
     np.testing.assert_allclose(tip[:3, 3], near[:3] * 1000, atol=0.01)
     assert found.values(f"/world/body/{limb.name}/error", "labels") == [["155 mm off"]]
-    assert "Not reached" in found.values("/answer", "text")[0][0]
+    text = found.values("/answer", "text")[0][0]
+    assert "Not reached" in text
+    assert "Nearest place" in text
+
+
+def test_a_foot_that_only_its_attitude_keeps_from_the_target_is_said_to_be_so(read_back):
+    robot = load_robot("eros")
+    answer = solve_target(robot, robot.limbs["right_leg"], [0.1, 0.02, -0.06])
+    text = read_back(target_scene(answer)).values("/answer", "text")[0][0]
+    assert "With its attitude left free, the tip reaches the place." in text
+    assert "Nearest place" not in text
 
 
 @pytest.fixture(scope="module")
@@ -252,3 +262,48 @@ def test_the_same_scene_by_rows_and_by_columns_holds_the_same(read_back):
 
 def test_names_with_blanks_and_slashes_are_one_part_of_a_path():
     assert part("front left", "a/b") == "front\\ left/a\\/b"
+
+
+# Names that mean something in a scene, and such as a path has to escape.
+ODD = """
+robots:
+  odd:
+    title: odd names
+    kind: quadruped
+    legs:
+      a: 30
+      b: 60
+      c: 80
+      joints:
+        - {name: tip, axis: z, link: {x: a}}
+        - {name: link, axis: -y, link: {x: b}}
+        - {name: axis, axis: -y, link: {x: c}}
+      limits: {tip: [-90, 90], link: [-100, 100], axis: [-150, 90]}
+      stance: {mm: [90, 0, -60], assumed: for the test}
+      mountings: {all: {tip: &servo {model: AX-12A, zero: 150, sign: 1}, link: *servo, axis: *servo}}
+      members:
+        shape: {at: [60, 40, 0], turn: 45, mounting: all, ids: [1, 2, 3]}
+        knee-down: {at: [60, -40, 0], turn: -45, mounting: all, ids: [4, 5, 6]}
+        __c: {at: [-60, 40, 0], turn: 135, mounting: all, ids: [7, 8, 9]}
+        d e/f: {at: [-60, -40, 0], turn: -135, mounting: all, ids: [10, 11, 12]}
+"""
+
+
+def test_a_robot_may_call_its_limbs_and_joints_what_it_likes(tmp_path, read_back):
+    (tmp_path / "robots.yaml").write_text(ODD)
+    robot = load_robot("odd", tmp_path / "robots.yaml")
+    limb = robot.limbs["shape"]
+    answer = solve_target(robot, limb, [0.08, 0.01, -0.06])
+    found = read_back(target_scene(answer, workspace=True))
+    drawn = [path for path, has in found.columns.items() if "lengths" in has or "positions" in has]
+    assert len(drawn) > 4 * (3 + 1)
+    # What is drawn has no transform of its own, or it would turn away from where it hangs.
+    assert not any("translation" in found.columns[path] for path in drawn)
+    for name, q in resting(robot).items():
+        shown = answer.poses[answer.chosen].q if name == limb.name else q
+        wanted = stood(robot) @ robot.limbs[name].fk(shown, frame="body")
+        tip = found.pose(f"/world/body/{part(name)}/tip/link/axis/tip_")[0]
+        np.testing.assert_allclose(tip[:3, 3], wanted[:3, 3] * 1000, atol=CLOSE)
+    ghost = found.pose("/world/body/knee-down_/shape/tip/link/axis/tip_")[0]
+    wanted = stood(robot) @ limb.mount @ np.append(answer.target, 1)
+    np.testing.assert_allclose(ghost[:3, 3], wanted[:3] * 1000, atol=CLOSE)

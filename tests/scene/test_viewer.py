@@ -58,7 +58,7 @@ def test_a_port_that_is_taken_is_named_with_the_option_that_chooses_another():
 
 def test_a_missing_viewer_is_answered_with_the_line_that_installs_it(monkeypatch):
     monkeypatch.setattr(viewer, "find_spec", lambda name: None)
-    with pytest.raises(KinlabError, match=r"pip install --force-reinstall 'kinlab\[view\]'"):
+    with pytest.raises(KinlabError, match=r"pip install --force-reinstall rerun-sdk"):
         program()
 
 
@@ -69,6 +69,20 @@ def test_a_viewer_that_fails_says_why(monkeypatch, home):
     scene, view = robot_scene(load_robot("udiebot")), View(port=free_port())
     with pytest.raises(KinlabError, match=r"code \d+: .*X server"), viewing(scene, view) as process:
         process.wait()
+
+
+def test_a_viewer_that_ctrl_c_has_ended_too_is_no_complaint(monkeypatch, home):
+    monkeypatch.setenv("DISPLAY", ":4711")
+    scene, view = robot_scene(load_robot("udiebot")), View(port=free_port())
+
+    def look():
+        with viewing(scene, view) as process:
+            process.kill()
+            process.wait()
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        look()
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="where the choice is kept differs")

@@ -35,5 +35,6 @@ def main(args: list[str] | None = None) -> None:
         # A full disk or a reader that went away; what could not be written is not tried again at exit.
         sys.stdout = open(os.devnull, "w")  # noqa: SIM115
         if error.errno != errno.EPIPE:
-            sys.stderr.write(f"kinlab: {error.strerror}\n")
+            where = f"{error.filename}: " if error.filename else ""
+            sys.stderr.write(f"kinlab: {where}{error.strerror}\n")
         sys.exit(1)

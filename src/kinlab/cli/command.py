@@ -151,10 +151,12 @@ def write_rrd(path: Path | None, force: bool, scene: "Callable[[], Recording]") 
     """Write a recording where one is asked for, and say how to look at it; its size in bytes."""
     if path is None:
         return None
+    from shlex import quote
+
     from kinlab.scene import save
 
     size = save(scene(), path, force)
-    typer.echo(f"kinlab: {path}: {size / 1000:.0f} kB; look at it with: rerun {path}", err=True)
+    typer.echo(f"kinlab: {path}: {size / 1000:.0f} kB; look at it with: rerun {quote(str(path))}", err=True)
     return size
 
 

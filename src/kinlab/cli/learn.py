@@ -84,7 +84,7 @@ def _start(
         bool, typer.Option("--figures/--no-figures", help="Draw figures, or describe them in words.")
     ] = True,
     ascii_only: Annotated[
-        bool, typer.Option("--ascii", help="Figures of plain characters, without braille.")
+        bool, typer.Option("--ascii", help="Figures of plain characters, as with KINLAB_ASCII=1.")
     ] = False,
     json: JsonOption = False,
 ) -> None:
@@ -106,9 +106,10 @@ def _start(
 
         watch_file(sitting, watch)
     else:
+        from kinlab.canvas import without_braille
         from kinlab.cli.learn_session import Session
 
-        Session(sitting, course, figures=figures, ascii_only=ascii_only).run()
+        Session(sitting, course, figures=figures, ascii_only=ascii_only or without_braille()).run()
 
 
 @app.command("check", cls=NumericCommand, epilog="Example: kinlab learn check leg-geometry foot 75,3 -63 -28")
@@ -198,13 +199,14 @@ def _reset(
     profile: ProfileOption = None,
     lessons: LessonsOption = None,
     yes: Annotated[bool, typer.Option("--yes", "-y", help="Without asking.")] = False,
+    json: JsonOption = False,
 ) -> None:
     """Begin a lesson anew, with the same numbers. The history stays in the file."""
     sitting, _ = sitting_of(ctx, lesson, lang, profile, lessons)
     name = sitting.lesson.id
     if not yes:
-        if not sys.stdin.isatty():
-            raise UsageError("a lesson is reset after asking; without a terminal, say --yes")
+        if json or not sys.stdin.isatty():
+            raise UsageError("a lesson is reset after asking; with --json or without a terminal, say --yes")
         done = len(sitting.tasks) - len(sitting.open)
         try:
             reply = input(sitting.say("talk.reset-ask", lesson=name, count=done))
@@ -214,7 +216,10 @@ def _reset(
             typer.echo(sitting.say("talk.unchanged"))
             raise typer.Exit(1)
     sitting.reset()
-    typer.echo(sitting.say("talk.reset-done", lesson=name))
+    if json:
+        print_json({"lesson": name, "open": sitting.open})
+    else:
+        typer.echo(sitting.say("talk.reset-done", lesson=name))
 
 
 for _name, _command, _example in (

@@ -11,7 +11,7 @@ import typer
 
 from kinlab.cli.command import JsonOption, print_json
 from kinlab.cli.learn_options import LangOption, LessonsOption, ProfileOption, course_of, progress_of
-from kinlab.errors import UsageError
+from kinlab.errors import FileError, UsageError
 from kinlab.names import suggestion
 
 
@@ -66,22 +66,36 @@ def verify(
     lessons: LessonsOption = None,
     json: JsonOption = False,
 ) -> None:
-    """Judge students' answers again, and sum up the class. Exit code 1 where something is forged."""
+    """Judge students' answers again, and sum up the class.
+
+    Exit code 1 where something is forged, or a file among others cannot be read.
+    """
     from kinlab.cli import learn_tables
-    from kinlab.lessons.export import read_handed
+    from kinlab.lessons.export import Handed, read_handed
     from kinlab.lessons.verify import verify as recompute
 
     course, _ = course_of(ctx, lang, lessons)
-    handed = [each for file in files for each in read_handed(file)]
+    handed: list[Handed] = []
+    unread: list[str] = []
+    for file in files:
+        try:
+            handed += read_handed(file)
+        except FileError as error:
+            unread.append(str(error))
+    if not handed:
+        raise FileError("\nkinlab: ".join(unread))
     with _telling() as tell:
         results = recompute(handed, course, tell)
     if json:
         print_json(
-            {"ok": not any(r.forged for r in results), "students": [r.to_json(course) for r in results]}
+            {"ok": not unread and not any(r.forged for r in results), "unread": unread}
+            | {"students": [r.to_json(course) for r in results]}
         )
     else:
         learn_tables.show_class(course, results)
-    if any(result.forged for result in results):
+    for message in unread:
+        typer.echo(f"kinlab: {message}", err=True)
+    if unread or any(result.forged for result in results):
         raise typer.Exit(1)
 
 
@@ -141,6 +155,8 @@ def new(
     """Make a lesson from a template, in both languages."""
     from kinlab.lessons.template import new_lesson
 
+    if name in ctx.parent.command.list_commands(ctx.parent):  # type: ignore[union-attr]
+        raise UsageError(f"'{name}' is a command of kinlab learn: a lesson needs another name")
     folder = lessons or ctx.obj[2] or Path("my-lessons")
     made = new_lesson(name, folder)
     if json:

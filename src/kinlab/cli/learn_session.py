@@ -69,10 +69,11 @@ class Session:
         fell_back = sitting.fallback
         for part in sitting.parts():
             typer.echo()
-            if isinstance(part, Text):
+            if isinstance(part, Text | Task):
                 if part.fallback and not fell_back:
                     self._say("fallback")
                 fell_back = part.fallback
+            if isinstance(part, Text):
                 print_lines(lines(part.markdown))
             elif isinstance(part, Task):
                 number += 1

@@ -105,6 +105,7 @@ def lesson_json(sitting: Any, *, ascii_only: bool) -> dict[str, Any]:
                     "status": now.status,
                     "tries": now.tries,
                     "hints": len(part.hints),
+                    "fallback": part.fallback,
                 }
             )
         else:

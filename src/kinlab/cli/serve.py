@@ -32,7 +32,7 @@ def serve(
 
     Each visitor gets a session of their own, with progress and settings in a
     folder of its own. Sessions reach no serial port and no file outside that
-    folder. Needs the extra: pip install 'kinlab[serve]'. Ctrl-C ends all of them.
+    folder. Needs the extra kinlab[serve]. Ctrl-C ends all of them.
     """
     import asyncio
 
@@ -40,13 +40,14 @@ def serve(
     from kinlab.files import own_folder
     from kinlab.language import language
     from kinlab.robots import robot_names
+    from kinlab.shipped import install_line
 
     try:
         from kinlab.tui.web.server import LabServer
     except ImportError as error:
         if (error.name or "").startswith("kinlab"):
             raise
-        raise KinlabError("this needs textual-serve: pip install 'kinlab[serve]'") from None
+        raise KinlabError(f"this needs textual-serve; {install_line('serve')}") from None
     if sessions < 1:
         raise UsageError(f"--sessions is a number from 1 on, not {sessions}")
     if not 0 <= port <= 65535:

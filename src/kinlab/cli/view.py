@@ -23,9 +23,9 @@ from kinlab.cli.command import (
 
 if TYPE_CHECKING:
     from kinlab.robots import Robot
-    from kinlab.scene import Recording
+    from kinlab.scene import Recording, View
 
-SPEED, CYCLES = 20.0, 3
+SPEED, CYCLES, PORT, PAGE_PORT = 20.0, 3, 9876, 9090
 
 app = command_app()
 
@@ -68,8 +68,8 @@ def view(
     ] = False,
     port: Annotated[
         int, typer.Option(help="Where the viewer takes live data, see `kinlab walk --mirror`.")
-    ] = 9876,
-    page_port: Annotated[int, typer.Option(help="Of the page of --serve.")] = 9090,
+    ] = PORT,
+    page_port: Annotated[int, typer.Option(help="Of the page of --serve.")] = PAGE_PORT,
     robots: RobotsOption = None,
     json: JsonOption = False,
 ) -> None:
@@ -78,12 +78,8 @@ def view(
     Without a subject the robot stands. Scrub `time` or `phase`; drag to turn,
     right-drag to move, scroll to come nearer. Needs the extra kinlab[view].
     """
-    import signal
-    from contextlib import suppress
-
     from kinlab.errors import UsageError
     from kinlab.robots import load_robot
-    from kinlab.scene import View, check_viewer, viewing
 
     subject = _subject({"--target": target, "--gait": gait, "--arm": arm})
     for option, given, subjects in (
@@ -97,11 +93,7 @@ def view(
     ):
         if given and subject not in subjects:
             raise UsageError(f"{option} says nothing about {subject or 'a robot that stands'}")
-    if spawn and serve:
-        raise UsageError("--spawn opens a window, --serve a page: ask for one of them")
-    how = View(serve, port, page_port) if spawn or serve or not save else None
-    if how:
-        check_viewer(how)
+    how = _viewer(spawn, serve, save, port, page_port)
     check_rrd(save, force, "--save")
     machine = load_robot(robot, robots)
     reached = True
@@ -118,17 +110,12 @@ def view(
         recording = robot_scene(machine, which, frames=frames, workspace=workspace)
     size = write_rrd(save, force, lambda: recording)
     if json:
-        page = how.page if how and serve else None
+        page = how.page if how and how.browser else None
         file = None if save is None else str(save)
         what = subject.removeprefix("--") or "robot"
         print_json({"robot": machine.name, "subject": what, "file": file, "bytes": size, "page": page})
     if how:
-        # However it is ended, the viewer ends with it.
-        signal.signal(signal.SIGTERM, signal.default_int_handler)
-        with suppress(KeyboardInterrupt), viewing(recording, how) as viewer:
-            where = f"open {how.page}   Ctrl-C ends" if serve else "close the window, or press Ctrl-C, to end"
-            typer.echo(f"kinlab: {where}", err=True)
-            viewer.wait()
+        _show(recording, how)
     if not reached:
         raise typer.Exit(1)
 
@@ -141,6 +128,43 @@ def _subject(asked: dict[str, Any]) -> str:
     if len(given) > 1:
         raise UsageError(f"{' and '.join(given)} are pictures of their own: ask for one of them")
     return given[0] if given else ""
+
+
+def _viewer(spawn: bool, serve: bool, save: Path | None, port: int, page_port: int) -> "View | None":
+    """How it is looked at; None where it is only saved."""
+    from kinlab.errors import UsageError
+    from kinlab.scene import View, check_viewer
+
+    if spawn and serve:
+        raise UsageError("--spawn opens a window, --serve a page: ask for one of them")
+    if page_port != PAGE_PORT and not serve:
+        raise UsageError("--page-port is for the page of --serve")
+    if save and not (spawn or serve):
+        if port != PORT:
+            raise UsageError("--port is for a viewer: --save opens none without --spawn or --serve")
+        return None
+    how = View(serve, port, page_port)
+    check_viewer(how)
+    return how
+
+
+def _show(recording: "Recording", how: "View") -> None:
+    """Look at it, until the viewer is closed or Ctrl-C ends it."""
+    import signal
+    from contextlib import suppress
+
+    from kinlab.scene import viewing
+
+    # However it is ended, the viewer ends with it; Windows has no SIGHUP.
+    for ending in ("SIGTERM", "SIGHUP"):
+        if number := getattr(signal, ending, None):
+            signal.signal(number, signal.default_int_handler)
+    with suppress(KeyboardInterrupt), viewing(recording, how) as viewer:
+        where = (
+            f"open {how.page}   Ctrl-C ends" if how.browser else "close the window, or press Ctrl-C, to end"
+        )
+        typer.echo(f"kinlab: {where}", err=True)
+        viewer.wait()
 
 
 def _target(

@@ -16,6 +16,7 @@ from kinlab.lessons.format import (
     Field,
     FormatError,
     check,
+    holds,
 )
 from kinlab.lessons.lesson import Call, Drawn, Exercise, Figure, Parameter, Place, Wording
 from kinlab.names import suggestion
@@ -67,7 +68,9 @@ def build_exercise(texts: Mapping[str, "Block"]) -> Exercise:
 
 def exercise_fields(data: Mapping[str, Any], at: At) -> Mapping[str, Field]:
     """The fields that an exercise of this kind has."""
-    kind = str(data.get("kind"))
+    if "kind" not in data:
+        raise at(None).error(f"the field 'kind' is missing: one of {', '.join(KINDS)}")
+    kind = str(data["kind"])
     if kind not in KINDS:
         raise at("kind").error(f"there is no kind of exercise '{kind}'{suggestion(kind, KINDS)}")
     return {**EXERCISE, **KINDS[kind]}
@@ -189,7 +192,7 @@ def _parameter(name: str, spec: Any, place: Place) -> Parameter:
     choices: Iterable[Any]
     if isinstance(spec, dict) and spec.keys() == {"pick"} and isinstance(spec["pick"], list) and spec["pick"]:
         choices = spec["pick"]
-        if not all(isinstance(choice, str | int | float) for choice in choices):
+        if not all(isinstance(choice, str | bool) or holds(choice, "number") for choice in choices):
             raise place.error(f"parameter '{name}' picks among numbers and texts")
     elif isinstance(spec, dict) and spec.keys() == {"from", "to", "step"}:
         choices = _grid(name, spec, place)
@@ -209,7 +212,7 @@ def _grid(name: str, spec: Mapping[str, Any], place: Place) -> list[int | float]
         raise place.error(f"parameter '{name}' goes up, in steps of more than 0")
     count = int((last - first) / step) + 1
     if count > MOST_CHOICES:
-        raise place.error(f"parameter '{name}' has {count} values; at most {MOST_CHOICES} are possible")
+        raise place.error(f"parameter '{name}' has more than {MOST_CHOICES} values")
     grid = [first + i * step for i in range(count)]
     whole = all(isinstance(v, int) for v in spec.values())
     return [int(v) if whole else float(v) for v in grid]

@@ -1,6 +1,5 @@
 """The course: KinLab's own lessons, and those of a folder that a teacher names."""
 
-import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -9,7 +8,7 @@ from kinlab.errors import FileError
 from kinlab.language import LANGUAGES
 from kinlab.lessons.lesson import Lesson, LessonError, Place
 from kinlab.lessons.progress import Progress
-from kinlab.lessons.reading import read_lesson
+from kinlab.lessons.reading import read_lesson, read_text, read_toml
 from kinlab.names import resolve
 from kinlab.shipped import shipped
 
@@ -51,9 +50,9 @@ class Course:
         Raises:
             UsageError: no such lesson.
         """
-        if name.isdecimal() and 1 <= int(name) <= len(self.lessons):
+        if name not in self.lessons and name.isdecimal() and 1 <= int(name) <= len(self.lessons):
             return list(self.lessons.values())[int(name) - 1]
-        broken = next((p for p in self.problems if str(p).startswith(f"{name}/")), None)
+        broken = next((p for p in self.problems if str(p).startswith((f"{name}/", f"{name}:"))), None)
         if broken is not None and name not in self.lessons:
             raise broken
         return self.lessons[resolve(name, self.lessons, "lesson")]
@@ -110,9 +109,9 @@ def read_glossary(path: Path, problems: list[LessonError]) -> dict[str, Term]:
     if not path.exists():
         return {}
     try:
-        tree = tomllib.loads(path.read_text(encoding="utf-8"))
-    except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
-        problems.append(place.error(f"no valid TOML: {error}"))
+        tree = read_toml(read_text(path, path.name).split("\n"), Place(path.name, 0))
+    except LessonError as error:
+        problems.append(error)
         return {}
     found = {}
     for name, entry in tree.items():

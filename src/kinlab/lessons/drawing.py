@@ -43,6 +43,11 @@ def draw(figure: Figure, values: Mapping[str, Any], alt: str, columns: int, asci
     Raises:
         LessonError: it cannot be drawn.
     """
+    for name in SIZE:
+        if name in figure.draw.given:
+            raise figure.draw.place.error(
+                f"'{name}' is not a lesson's to give: the face knows how much it can show"
+            )
     taken = takes(find(figure.draw, "figures"))
     size = dict(zip(SIZE, (columns, ascii_only), strict=True))
     drawn = evaluate(figure.draw, "figures", {**values, **{k: v for k, v in size.items() if k in taken}})

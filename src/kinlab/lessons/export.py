@@ -26,7 +26,7 @@ class Handed:
         file: its name, for messages.
         profile, seed: of the student.
         events: all of them.
-        claimed: by (lesson, exercise), the status that the file itself claims; empty for CSV.
+        claimed: by (lesson, version, exercise), the status that the file itself claims; empty for CSV.
         problems: what could not be read.
     """
 
@@ -34,7 +34,7 @@ class Handed:
     profile: str
     seed: str
     events: tuple[Event, ...]
-    claimed: dict[tuple[str, str], str]
+    claimed: dict[tuple[str, str, str], str]
     problems: tuple[str, ...] = ()
 
 
@@ -93,6 +93,8 @@ def read_handed(path: Path) -> list[Handed]:
 def _from_json(file: str, text: str) -> Handed:
     try:
         data = json.loads(text)
+        # JSON can name halves of characters, which nothing else can hold.
+        json.dumps(data, ensure_ascii=False).encode()
     except (ValueError, RecursionError) as error:
         raise FileError(f"{file}: no valid JSON: {error}") from None
     if data.get("format") != FORMAT or not all(isinstance(data.get(k), str) for k in ("profile", "seed")):
@@ -103,7 +105,7 @@ def _from_json(file: str, text: str) -> Handed:
         raise FileError(f"{file}: 'events' and 'exercises' are lists")
     events, problems = _events(enumerate(rows, 1), "event")
     claimed = {
-        (str(c.get("lesson")), str(c.get("exercise"))): str(c.get("status"))
+        (str(c.get("lesson")), str(c.get("version", "")), str(c.get("exercise"))): str(c.get("status"))
         for c in claims
         if isinstance(c, dict)
     }
@@ -116,12 +118,15 @@ def _from_csv(file: str, text: str) -> list[Handed]:
     except csv.Error as error:
         raise FileError(f"{file}: no valid CSV: {error}") from None
     if not rows or not set(COLUMNS) <= rows[0].keys():
-        raise FileError(f"{file}: is no export of KinLab: the first line names {', '.join(COLUMNS)}")
+        raise FileError(
+            f"{file}: is no export of KinLab, neither JSON nor CSV with the columns {', '.join(COLUMNS)}"
+        )
     students: dict[tuple[str, str], list[tuple[int, Any]]] = {}
     for number, row in enumerate(rows, 2):
         plain = {k: v[1:] if v.startswith("'") else v for k, v in row.items() if isinstance(k, str) and v}
         event: dict[str, Any] = {name: plain.get(name, "") for name in Event.__dataclass_fields__}
-        event["version"] = int(plain["version"]) if plain.get("version", "").isdecimal() else None
+        version = plain.get("version", "")
+        event["version"] = int(version) if version.isdecimal() and len(version) < 10 else None
         event["ok"] = {"yes": True, "no": False}.get(plain.get("ok", ""))
         student = plain.get("profile", ""), plain.get("seed", "")
         students.setdefault(student, []).append((number, event))

@@ -83,7 +83,10 @@ def _number(value: Any, style: str, where: str) -> str:
     if style and not _FORMAT.fullmatch(style):
         raise UnknownNameError(where, f"{where}: '{style}' is no format; write .1f, d, +.2f, g or 02X")
     whole = style[-1:] in ("d", "X") or (not style and isinstance(value, Integral))
-    number = int(value) if whole else float(value)
+    try:
+        number = int(value) if whole else float(value)
+    except (OverflowError, ValueError):
+        raise UnknownNameError(where, f"{where}: {value!r:.40} is no number to be written") from None
     written = format(number, style or ("d" if whole else ".6g"))
     nothing = _NOTHING.fullmatch(written)
     return nothing[1] if nothing else written

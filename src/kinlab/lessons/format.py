@@ -1,5 +1,6 @@
 """The format of a lesson's file: which fields there are, and what each of them holds."""
 
+import math
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
@@ -123,6 +124,8 @@ def check(data: Mapping[str, Any], fields: Mapping[str, Field], *, translation: 
             raise FormatError(f"there is no field '{key}'{suggestion(key, allowed)}", key)
         if not holds(value, allowed[key].holds):
             raise FormatError(f"'{key}' is {WORDS[allowed[key].holds]}, not {value!r:.60}", key)
+        if allowed[key].needed and value in ("", []):
+            raise FormatError(f"'{key}' is empty", key)
     if not translation:
         for key, known in fields.items():
             if known.needed and key not in data:
@@ -131,7 +134,7 @@ def check(data: Mapping[str, Any], fields: Mapping[str, Field], *, translation: 
 
 def holds(value: Any, what: str) -> bool:
     """Whether a value is what a field holds."""
-    number = isinstance(value, int | float) and not isinstance(value, bool)
+    number = isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)
     return {
         "text": isinstance(value, str),
         "texts": isinstance(value, list) and all(isinstance(v, str) for v in value),

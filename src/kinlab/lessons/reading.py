@@ -6,7 +6,7 @@ A page is Markdown with TOML between two lines of +++ at its head, and fenced bl
 
 import re
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -14,7 +14,7 @@ from typing import Any
 from kinlab.language import LANGUAGES
 from kinlab.lessons.building import build_exercise, build_figure, check_translation, drawn
 from kinlab.lessons.format import FRONT, ID, FormatError, check
-from kinlab.lessons.lesson import Lesson, LessonError, Part, Place, Prose
+from kinlab.lessons.lesson import Lesson, Part, Place, Prose
 
 _FENCE = re.compile(r"^(`{3,}|~{3,})\s*([a-z]*)")
 _LINE_OF_TOML = re.compile(r"\(at line (\d+), column \d+\)")
@@ -138,8 +138,29 @@ def read_page(path: Path, name: str) -> Page:
         LessonError: with the file and the line.
     """
     place = Place(name, 1)
+    lines = read_text(path, name).split("\n")
+    if lines[0].rstrip() != "+++":
+        raise place.error("begins with no front matter: TOML between two lines of +++")
+    end = next((i for i in range(1, len(lines)) if lines[i].rstrip() == "+++"), None)
+    if end is None:
+        raise place.error("the front matter has no end: a line of +++")
+    front = read_toml(lines[1:end], place)
+    return Page(front, place, tuple(lines[1:end]), tuple(_split(lines, end + 1, name)))
+
+
+def read_text(path: Path, name: str) -> str:
+    """The text of a file: not too long, UTF-8, and with nothing in it that a terminal would obey.
+
+    Raises:
+        LessonError: with the file and the line.
+    """
+    place = Place(name, 1)
     try:
-        raw = path.read_bytes()
+        # A device or a pipe might never end.
+        if path.exists() and not path.is_file():
+            raise place.error("is no file")
+        with path.open("rb") as file:
+            raw = file.read(_LARGEST + 1)
     except OSError as error:
         raise place.error(f"cannot be read: {error.strerror}") from None
     if len(raw) > _LARGEST:
@@ -150,18 +171,15 @@ def read_page(path: Path, name: str) -> Page:
         line = raw[: error.start].count(b"\n") + 1
         raise Place(name, line).error("is not UTF-8 text") from None
     text = text.replace("\r\n", "\n")
-    lines = text.split("\n")
     odd = _ODD.search(text)
     if odd:
         line = text.count("\n", 0, odd.start()) + 1
-        raise Place(name, line).error(f"holds the control character U+{ord(odd[0]):04X}")
-    if lines[0].rstrip() != "+++":
-        raise place.error("begins with no front matter: TOML between two lines of +++")
-    end = next((i for i in range(1, len(lines)) if lines[i].rstrip() == "+++"), None)
-    if end is None:
-        raise place.error("the front matter has no end: a line of +++")
-    front = _toml(lines[1:end], place)
-    return Page(front, place, tuple(lines[1:end]), tuple(_split(lines, end + 1, name)))
+        raise Place(name, line).error(_odd(odd[0]))
+    return text
+
+
+def _odd(character: str) -> str:
+    return f"holds the control character U+{ord(character):04X}"
 
 
 def _split(lines: list[str], start: int, name: str) -> list[tuple[str, Place] | Block]:
@@ -194,7 +212,7 @@ def _split(lines: list[str], start: int, name: str) -> list[tuple[str, Place] | 
             raise place.error(f"the block has no end: a line of {mark}")
         if ours:
             prose(at)
-            data = _toml(lines[at + 1 : end], place)
+            data = read_toml(lines[at + 1 : end], place)
             block = Block(kind, data, place, tuple(lines[at + 1 : end]))
             own = data.get("id")
             if not isinstance(own, str) or not re.fullmatch(ID, own):
@@ -209,13 +227,37 @@ def _split(lines: list[str], start: int, name: str) -> list[tuple[str, Place] | 
     return parts
 
 
-def _toml(lines: list[str], place: Place) -> dict[str, Any]:
-    """TOML whose first line follows `place`."""
+def read_toml(lines: Sequence[str], place: Place) -> dict[str, Any]:
+    """TOML whose first line follows `place`.
+
+    Raises:
+        LessonError: with the file and the line.
+    """
     try:
-        return tomllib.loads("\n".join(lines))
-    except (tomllib.TOMLDecodeError, RecursionError) as error:
+        data = tomllib.loads("\n".join(lines))
+        # A text may have written it as \\u001b.
+        odd = next((found[0] for text in _texts(data) if (found := _ODD.search(text))), None)
+    except (ValueError, RecursionError) as error:
         message = str(error)
         found = _LINE_OF_TOML.search(message)
-        line = int(found[1]) if found else 1 if isinstance(error, RecursionError) else len(lines)
+        line = int(found[1]) if found else len(lines) if "at end" in message else 1
         said = _LINE_OF_TOML.sub("", message).replace("(at end of document)", "").strip()
-        raise LessonError(f"{place.file}:{place.line + line}: no valid TOML: {said}") from None
+        raise Place(place.file, place.line + line).error(f"no valid TOML: {said}") from None
+    if odd:
+        written = f"\\u{ord(odd):04x}"
+        at = next((i for i, line in enumerate(lines, 1) if written in line.lower()), 1)
+        raise Place(place.file, place.line + at).error(_odd(odd))
+    return data
+
+
+def _texts(value: Any) -> Iterator[str]:
+    """Every text in a tree of TOML, names too."""
+    if isinstance(value, str):
+        yield value
+    elif isinstance(value, dict):
+        for name, each in value.items():
+            yield name
+            yield from _texts(each)
+    elif isinstance(value, list):
+        for each in value:
+            yield from _texts(each)

@@ -7,6 +7,8 @@ from dataclasses import dataclass
 
 LONGEST = 500
 LONGEST_SCRIPT = 20_000
+# Beyond it, changing the unit or squaring would leave the numbers that there are.
+LARGEST = 1e100
 
 # How many of the first unit of its kind one is; kinds in the order length, angle, time, ...
 UNITS: dict[str, tuple[str, float]] = {
@@ -42,6 +44,8 @@ _UNIT = r"[A-Za-zµμ°%]+(?:[./*·][A-Za-zµμ°]+)*"
 _DIGITS = r"\d+(?:[.,]\d+)?|[.,]\d+|\d+[.,]"
 _PLAIN_DIGITS = r"\d+(?:\.\d*)?|\.\d+"
 _EXPONENT = r"(?:[eE][+-]?\d+)?"
+# Separators, brackets, a word for "about", and the marks of Markdown.
+_BESIDE = " \n\t,;()[]{}|~≈`*$"
 _LABEL = re.compile(r"[^\W\d]\w{0,15}\s*[=:]")
 _FRACTION = re.compile(r"([+-]?\d{1,6})\s*/\s*(\d{1,6})")
 _THOUSANDS = re.compile(r"(?<![\d.,])\d{1,3}(?:([.,])\d{3})+(?!\1)[.,]\d+(?![\d.,])")
@@ -125,15 +129,15 @@ def _scan(text: str, digits: str) -> tuple[list[Quantity], str]:
     found: list[Quantity] = []
     end = 0
     for match in pattern.finditer(text):
-        between = text[end : match.start()].strip(" \n\t,;()[]{}|")
+        between = text[end : match.start()].strip(_BESIDE)
         if between:
             return found, between
         value = float(f"{match[1]}{match[2].replace(',', '.')}{match[3]}")
-        if not math.isfinite(value):
+        if not abs(value) <= LARGEST:
             return found, match[0]
         found.append(Quantity(value, _unit(match[4] or "")))
         end = match.end()
-    return found, text[end:].strip(" \n\t,;.()[]{}|")
+    return found, text[end:].strip(f"{_BESIDE}.")
 
 
 def _without_thousands(match: re.Match[str]) -> str:

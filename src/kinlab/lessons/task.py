@@ -77,6 +77,11 @@ class Task:
         return found.get(self.language, found["en"])
 
     @property
+    def fallback(self) -> bool:
+        """Whether it stands in English because there is no translation."""
+        return self.language not in self.exercise.wording
+
+    @property
     def field(self) -> Mapping[str, Any]:
         """The fields that only this kind has."""
         return self.exercise.fields

@@ -1,6 +1,7 @@
 """A new lesson to begin from: whole, in both languages, and free of lint."""
 
 import re
+import shutil
 from pathlib import Path
 
 from kinlab.errors import FileError, UsageError
@@ -108,6 +109,11 @@ def new_lesson(name: str, folder: Path) -> list[Path]:
     made = []
     for code, text in (("en", ENGLISH), ("id", INDONESIAN)):
         path = home / f"{code}.md"
-        write_whole(path, text)
+        try:
+            write_whole(path, text)
+        except FileError:
+            # On a full disk nothing half is left, which would be in the way of the next attempt.
+            shutil.rmtree(home, ignore_errors=True)
+            raise
         made.append(path)
     return made

@@ -124,9 +124,13 @@ def _recomputed(handed: Handed, course: Course, others: list[Handed]) -> Result:
         elif found and not event.ok:
             notes.append(f"{what} is right after all")
     true = statuses(handed, course, events)
-    for key, status in handed.claimed.items():
-        if status == "solved" and true.get(key) != "solved" and key[0] in course.lessons:
-            forged.append(f"{key[0]} {quote(key[1])}: said to be solved, and is {true.get(key, 'open')}")
+    for (name, version, exercise), status in handed.claimed.items():
+        # Of another version nothing can be said, and nothing counts; the replies' notes say so.
+        if name not in course.lessons or version not in ("", str(course.lessons[name].version)):
+            continue
+        now = true.get((name, exercise), "open")
+        if status == "solved" != now:
+            forged.append(f"{name} {quote(exercise)}: said to be solved, and is {now}")
     return Result(
         handed.file, handed.profile, handed.seed, _lessons(course, events), _once(forged), _once(notes)
     )
@@ -142,7 +146,7 @@ def _judged_again(event: Event, seed: str, course: Course, tasks: dict[tuple[str
     if lesson is None:
         return f"there is no lesson {quote(event.lesson)}"
     if event.version != lesson.version:
-        return f"{lesson.id}: was taken in version {event.version}, and the course has {lesson.version}"
+        return f"{lesson.id}: was taken in version {quote(str(event.version))}, and the course has {lesson.version}"
     key = event.lesson, event.exercise
     try:
         if key not in tasks:

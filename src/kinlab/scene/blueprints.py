@@ -97,7 +97,7 @@ def gait(robot: Robot, body: Array) -> Any:
         _plot("/margins", "stability margins [mm]", legend=True),
         _plot("/angles", "joint angles [deg]"),
         _plot("/speeds", "joint speeds [deg/s]"),
-        row_shares=[4, 2, 2, 2],
+        row_shares=[_lanes(robot), 3, 2, 2],
     )
     return _blueprint(rrb.Horizontal(_walking(robot, body), curves, column_shares=[3, 2]))
 
@@ -115,10 +115,15 @@ def walk(robot: Robot, body: Array, packets: bool) -> Any:
             _plot("/margins", "stability margins [mm]", legend=True),
         ),
         rrb.Tabs(_plot("/angles", "joint angles [deg]"), _plot("/speeds", "joint speeds [deg/s]")),
-        row_shares=[4, 2, 2, 2, 2],
+        row_shares=[_lanes(robot), 2, 2, 2, 2],
     )
     whole = rrb.Horizontal(_walking(robot, body), measured, column_shares=[3, 2], name="walk")
     return _blueprint(rrb.Tabs(whole, bus([_walking(robot, body)], [BUS])) if packets else whole)
+
+
+def _lanes(robot: Robot) -> int:
+    """The share of the height in which the lanes of all legs are seen, where a plot has 2."""
+    return len(robot.legs) + 1
 
 
 def _walking(robot: Robot, body: Array) -> Any:

@@ -13,7 +13,7 @@ from kinlab.robots.workspace import reached
 from kinlab.scene import blueprints, colours
 from kinlab.scene.recording import Recording
 from kinlab.scene.tree import Tree, stood
-from kinlab.units import shown_mm, to_mm
+from kinlab.units import to_mm
 
 # Poses that a cloud is tried with.
 CLOUD = 6000
@@ -65,11 +65,10 @@ def target_scene(
     q = _shown(answer)
     tree.poses(resting(robot) | ({} if q is None else {limb.name: q}))
     home = tree.limb(limb)
-    recording.points(
-        f"{home}/target", answer.target, radii=1.5 * tree.thick, colors=colours.TARGET, labels="target"
-    )
+    path = tree.beside(home, "target")
+    recording.points(path, answer.target, radii=1.5 * tree.thick, colors=colours.TARGET, labels="target")
     if q is not None:
-        _error(tree, f"{home}/error", limb.fk(q)[:3, 3], answer.target, "")
+        _error(tree, home, limb.fk(q)[:3, 3], answer.target, "")
     for pose in answer.poses:
         if pose.q is not q:
             tree.draw_limb(limb, ghost=pose.name)
@@ -79,7 +78,7 @@ def target_scene(
             ghost = f"printed {variant.variant}"
             tree.draw_limb(limb, ghost=ghost, colour=colours.ERROR)
             tree.pose(limb, [variant.angles[name] for name in limb.joint_names], ghost=ghost)
-            _error(tree, f"{tree.limb(limb, ghost)}/error", variant.tip, answer.target, f"{ghost}: ")
+            _error(tree, tree.limb(limb, ghost), variant.tip, answer.target, f"{ghost}: ")
     if workspace:
         _cloud(tree, limb)
     rr = recording.rr
@@ -98,19 +97,18 @@ def _shown(answer: TargetReport) -> Array | None:
     return answer.poses[0].q if answer.poses else None
 
 
-def _error(tree: Tree, path: str, tip: Array, target: Array, name: str) -> None:
+def _error(tree: Tree, home: str, tip: Array, target: Array, name: str) -> None:
     off = float(np.linalg.norm(tip - target))
     line = tree.recording.rr.LineStrips3D(
         [to_mm([tip, target])], radii=tree.thick / 4, colors=colours.ERROR,
         labels=f"{name}{off * 1000:.3g} mm off", show_labels=off > 1e-6,
     )  # fmt: skip
-    tree.recording.still(path, line)
+    tree.recording.still(tree.beside(home, "error"), line)
 
 
 def _cloud(tree: Tree, limb: Limb) -> None:
-    tree.recording.points(
-        f"{tree.limb(limb)}/workspace", reached(limb, CLOUD), radii=tree.thick / 8, colors=colours.CLOUD
-    )
+    path = tree.beside(tree.limb(limb), "workspace")
+    tree.recording.points(path, reached(limb, CLOUD), radii=tree.thick / 8, colors=colours.CLOUD)
 
 
 def _told(answer: TargetReport, printed: Iterable[AsPrinted]) -> str:
@@ -120,7 +118,9 @@ def _told(answer: TargetReport, printed: Iterable[AsPrinted]) -> str:
     lines[-1] += f"{answer.frame} frame."
     if answer.chosen is None:
         lines += ["", f"**Not reached: {answer.reason}.**"]
-    if answer.nearest is not None:
+    if answer.nearest is not None and answer.missed_mm < 1e-6:
+        lines += ["", "With its attitude left free, the tip reaches the place."]
+    elif answer.nearest is not None:
         lines += ["", f"Nearest place ({_place(answer, answer.nearest)}) mm, {answer.missed_mm:.3f} mm away."]
     head = ["", *limb.joint_names, "off"]
     lines += ["", f"| {' | '.join(head)} |", "|" + "---|" * len(head)]
@@ -141,4 +141,4 @@ def _row(name: str, limb: Limb, q: Array, error_m: float) -> str:
 
 
 def _place(answer: TargetReport, point: Array) -> str:
-    return ", ".join(f"{v:g}" for v in shown_mm(answer.limb.from_limb(point, answer.frame)))
+    return ", ".join(f"{v:g}" for v in answer.place_mm(point))

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from kinlab.errors import KinlabError
 from kinlab.kinematics.transforms import Array, quaternion, rotation_vector
+from kinlab.shipped import install_line
 from kinlab.units import to_mm
 
 APPLICATION = "kinlab"
@@ -32,7 +33,7 @@ def load_rerun() -> Any:
         import rerun.blueprint
     except ImportError:
         raise KinlabError(
-            "rerun is not installed: it is the extra `view`, half a gigabyte; pip install 'kinlab[view]'"
+            f"rerun is not installed: it is the extra `view`, half a gigabyte; {install_line('view')}"
         ) from None
     finally:
         if chosen is None:

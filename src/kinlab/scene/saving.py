@@ -11,9 +11,12 @@ def check_new(path: Path, force: bool = False) -> None:
     """Refuse a file that could not be written, or must not be, before the work whose result it is for.
 
     Raises:
-        FileError: it exists and `force` is not given, is no file, or its folder is missing or closed.
+        FileError: it exists and `force` is not given, is no file, is not called .rrd, or its folder is missing or
+            closed.
     """
     check_writable(path)
+    if path.suffix.lower() != ".rrd":
+        raise FileError(f"{path}: rerun knows a recording by its ending; call it {path.stem or path}.rrd")
     if path.exists() and not path.is_file():
         raise FileError(f"{path}: is a device or a pipe; a recording is a file")
     if path.exists() and not force:

@@ -29,16 +29,24 @@ class Tree:
     def __init__(self, recording: Recording, robot: Robot, root: str = WORLD) -> None:
         self.recording, self.robot, self.root = recording, robot, root
         self.body = f"{root}/body"
+        self._taken = {name for limb in robot.limbs.values() for name in (limb.name, *limb.joint_names)}
         self.thick = LINK * float(to_mm(reach(robot)))
 
     def limb(self, limb: Limb, under: str = "") -> str:
         """The entity of a limb's frame; of its ghost called `under`, where that is given."""
-        return f"{self.body}/" + part(*filter(None, (under, limb.name)))
+        return f"{self.beside(self.body, under) if under else self.body}/" + part(limb.name)
+
+    def beside(self, path: str, name: str) -> str:
+        """The entity under `path` of what is no limb and no joint, by `name`, or one like it that none of them has."""
+        while name in self._taken:
+            name += "_"
+        return f"{path}/" + part(name)
 
     def joints(self, limb: Limb, under: str = "") -> list[str]:
         """The entities of a limb's joints, from the body to the tip, then that of the tip."""
-        names = [*limb.joint_names, "tip"]
-        return [f"{self.limb(limb, under)}/" + part(*names[: i + 1]) for i in range(len(names))]
+        names = limb.joint_names
+        found = [f"{self.limb(limb, under)}/" + part(*names[: i + 1]) for i in range(len(names))]
+        return [*found, self.beside(found[-1], "tip")]
 
     def draw(self, label: Limb | None = None, frames: bool = False) -> None:
         """Log what never changes: geometry and names.
@@ -56,7 +64,7 @@ class Tree:
             centers=(low + high) / 2, half_sizes=size, colors=colours.BODY, labels=self.robot.name,
             show_labels=False, fill_mode="solid",
         )  # fmt: skip
-        rec.still(f"{self.body}/shape", box)
+        rec.still(self.beside(self.body, "shape"), box)
         for limb in self.robot.limbs.values():
             self.draw_limb(limb, names=limb is label, frames=frames)
         if frames:
@@ -84,14 +92,14 @@ class Tree:
                     quaternions=_from_z(link / length), colors=colour if ghost else colours.LINKS[i % 3],
                     labels=joint.name, show_labels=names, fill_mode="solid",
                 )  # fmt: skip
-                rec.still(f"{path}/link", capsule)
+                rec.still(self.beside(path, "link"), capsule)
             if not ghost:
                 axis = AXIS * thick * np.array(joint.axis)
                 arrow = rr.Arrows3D(
                     vectors=2 * axis, origins=-axis, radii=thick / 5, colors=colours.AXIS,
                     labels=f"axis of {limb.name} {joint.name}", show_labels=False,
                 )  # fmt: skip
-                rec.still(f"{path}/axis", arrow)
+                rec.still(self.beside(path, "axis"), arrow)
             if frames and not ghost:
                 rec.still(path, rr.TransformAxes3D(5 * thick))
         tip = homogeneous(np.eye(3), limb.links[-1])
@@ -100,11 +108,12 @@ class Tree:
             [[0, 0, 0]], radii=TIP * (GHOST if ghost else 1) * thick,
             colors=colour if ghost else colours.LINKS[-1], labels=limb.name, show_labels=not (ghost or names),
         )  # fmt: skip
-        rec.still(f"{at[-1]}/point", point)
+        rec.still(self.beside(at[-1], "point"), point)
         if limb.sole and not ghost:
             half = [*(to_mm(side) / 2 for side in limb.sole), thick / 5]
             rec.still(
-                f"{at[-1]}/sole", rr.Boxes3D(half_sizes=half, colors=colours.LINKS[-1], fill_mode="solid")
+                self.beside(at[-1], "sole"),
+                rr.Boxes3D(half_sizes=half, colors=colours.LINKS[-1], fill_mode="solid"),
             )
         if frames and not ghost:
             rec.still(at[-1], rr.TransformAxes3D(5 * thick))

@@ -12,6 +12,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from kinlab.errors import KinlabError, UsageError
+from kinlab.files import write_whole
 from kinlab.guests import refuse_to_guests
 from kinlab.scene.page import LOOPBACK, passed_on
 from kinlab.scene.recording import Recording, load_rerun
@@ -95,7 +96,7 @@ def program() -> Path:
             if (path := Path(folder, name)).is_file():
                 return path
     raise KinlabError(
-        "rerun's viewer is missing; pip install --force-reinstall 'kinlab[view]' brings it back"
+        f"rerun's viewer is missing; {sys.executable} -m pip install --force-reinstall rerun-sdk brings it back"
     )
 
 
@@ -105,7 +106,7 @@ def viewing(recording: Recording, view: View) -> Iterator["subprocess.Popen[byte
 
     Raises:
         UsageError: the user is a guest, who sits elsewhere.
-        KinlabError: as `check_viewer`, or the viewer has ended with an error.
+        KinlabError: as `check_viewer`, the viewer has ended with an error, or there is no room for its file.
     """
     refuse_to_guests("a viewer")
     check_viewer(view)
@@ -113,7 +114,7 @@ def viewing(recording: Recording, view: View) -> Iterator["subprocess.Popen[byte
     with ExitStack() as stack:
         folder = Path(stack.enter_context(TemporaryDirectory(prefix="kinlab-")))
         file, complaints = folder / "scene.rrd", folder / "complaints"
-        file.write_bytes(recording.data())
+        write_whole(file, recording.data())
         options = ["--bind", LOOPBACK, "--port", str(view.port), "--hide-welcome-screen"]
         if view.browser:
             inner = free_port()
@@ -126,8 +127,9 @@ def viewing(recording: Recording, view: View) -> Iterator["subprocess.Popen[byte
             )  # fmt: skip
         try:
             yield viewer
-        finally:
+            # Ctrl-C reaches the viewer too: how it ended then is no complaint.
             ended = viewer.poll()
+        finally:
             viewer.terminate()
             viewer.wait()
         if ended:

@@ -17,6 +17,7 @@ from textual.app import App, SystemCommand
 from textual.binding import Binding, BindingType
 from textual.screen import Screen
 
+from kinlab.canvas import without_braille
 from kinlab.errors import KinlabError, UsageError
 from kinlab.files import own_folder
 from kinlab.language import LANGUAGES, language, words_of
@@ -85,7 +86,7 @@ class KinlabApp(App[None]):
         self.unkept = ""
         self.settings, self.set_aside = Settings.load(self.folder / "tui.json")
         self.tongue = self._first_language()
-        self.ascii_only = _plain()
+        self.ascii_only = without_braille()
         self._station = next((name for name in (station, self.settings.station) if name in STATIONS), "robot")
         for theme in themes.THEMES:
             self.register_theme(theme)
@@ -218,13 +219,6 @@ class KinlabApp(App[None]):
             lines.append(say(self.tongue, "shell.report", file=report))
         self._exit_renderables.append(Text("\n".join(lines)))
         self._close_messages_no_wait()
-
-
-def _plain() -> bool:
-    """Whether the terminal cannot show braille: by wish, by its kind, or by its encoding."""
-    encoding = getattr(sys.__stdout__, "encoding", None) or "utf-8"
-    wish = os.environ.get("KINLAB_ASCII", "")
-    return wish not in ("", "0") or os.environ.get("TERM") == "linux" or "utf" not in encoding.lower()
 
 
 def run(station: str | None = None) -> int:

@@ -1,9 +1,14 @@
-"""Buses that do not answer, and what is the matter with them: AX-12A on emulated wires."""
+"""Buses that do not answer, and what is the matter with them: servos on emulated wires."""
 
+from kinlab.dynamixel.codec.instructions import BY_NAME
+from kinlab.dynamixel.codec.packets import Packet, encode
 from kinlab.dynamixel.sandbox import Session, execute
+from kinlab.dynamixel.sandbox.requests import REQUESTS
+from kinlab.dynamixel.tables import load_table
 from kinlab.lessons.results import Goal, Holds
 
 AX = "AX-12A"
+XL = "XL430-W250"
 # What is done to a servo before it is asked.
 CAUSES = {
     "echo": ("echo on",),
@@ -50,6 +55,21 @@ def other_speed(servo: int, speed: int) -> Goal:
 def unknown_id(servo: int) -> Goal:
     """A servo whose id nobody remembers; its lamp is to be lit."""
     return Goal(f"{AX}:{servo}", (Holds(servo, "led", 1, 1),), ("scan", f"write {servo} led 1"), as_real=True)
+
+
+def other_protocol(servo: int) -> Goal:
+    """A servo that passes for an AX-12A and is an XL430; its lamp is to be lit, with bytes alone."""
+    lamp = load_table(XL).by_name["led"]
+    data = lamp.address.to_bytes(2, "little") + lamp.encode(1)
+    packet = encode(Packet(2, servo, BY_NAME[2]["WRITE"].code, data))
+    return Goal(
+        f"{XL}:{servo}",
+        (Holds(servo, "led", 1, 1),),
+        (f"send {packet.hex(' ').upper()}",),
+        # Every other verb finds out by itself which protocol a servo speaks.
+        forbidden=("build", "scan", "table", *REQUESTS),
+        as_real=True,
+    )
 
 
 def wire(first: int, step: int) -> list[int]:

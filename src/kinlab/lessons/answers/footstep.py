@@ -28,6 +28,12 @@ def point_on_a_triangle(stroke: float, lift: float, s: float) -> list[float]:
     return [stroke * s, lift * (1 - abs(2 * s - 1))]
 
 
+def early_height(lift: float, s: float) -> str:
+    """Whether the foot is below, near or above half of its lift: "less", "half" or "more"."""
+    share = point(0.0, lift, s)[1] / lift
+    return "half" if abs(share - 0.5) < 0.04 else "less" if share < 0.5 else "more"
+
+
 def misprint(equations: list[str], stroke: float, lift: float) -> int:
     """Which of krsri-hexapod's `equations`, letter for letter, leaves the corrected way farthest behind.
 

@@ -36,7 +36,7 @@ def judge(task: Task, reply: str) -> Verdict:
     try:
         got = parse_hex(text)
     except HexError as error:
-        raise UnreadableError("no-bytes", text=quote(text[error.position :])) from None
+        raise UnreadableError("no-bytes", text=quote(text[error.position :] or text)) from None
     if not got:
         raise UnreadableError("empty")
     want = bytes(task.answer)

@@ -6,6 +6,9 @@ from kinlab.lessons.parameters import shuffled
 from kinlab.lessons.replies import UnreadableError, clean, quote
 from kinlab.lessons.task import Task, Verdict, parts_of
 
+# What may stand around an answer.
+_AROUND = "().[] "
+
 
 def letters(task: Task) -> dict[str, str]:
     """Letters to options' keys, in an order of the student's own."""
@@ -46,12 +49,17 @@ def _want(task: Task) -> str:
 
 def judge(task: Task, reply: str) -> Verdict:
     """By the option, with its reason."""
-    text = clean(reply).strip("().[] ").casefold()
+    text = clean(reply).casefold().strip(_AROUND)
     by_letter = letters(task)
-    by_text = {task.text(task.wording.options[key]).casefold().strip(". "): key for key in by_letter.values()}
-    chosen = by_letter.get(text) or by_text.get(text.strip(". "))
+    # In every language: a lecturer's recomputation does not know in which one the student read.
+    by_text = {
+        task.text(wording.options[key]).casefold().strip(_AROUND): key
+        for wording in task.exercise.wording.values()
+        for key in by_letter.values()
+    }
+    chosen = by_letter.get(text) or by_text.get(text)
     if chosen is None:
-        raise UnreadableError("no-option", text=quote(reply), options=", ".join(by_letter))
+        raise UnreadableError("no-option", text=quote(clean(reply)), options=", ".join(by_letter))
     why = task.text(task.wording.why[chosen])
     if chosen == _want(task):
         return task.verdict(True, "right", why=why)

@@ -44,7 +44,7 @@ def judge(task: Task, reply: str) -> Verdict:
     count = len(task.field["lines"])
     if found is None or not 1 <= int(found[1]) <= count:
         raise UnreadableError("no-line", text=quote(text), count=count)
-    why = task.text(task.wording.why[found[1].lstrip("0")])
+    why = task.text(task.wording.why[str(int(found[1]))])
     if int(found[1]) == _want(task):
         return task.verdict(True, "right", why=why)
     return task.verdict(False, "wrong", why=why)

@@ -87,7 +87,9 @@ def in_unit(given: Quantity, asked: str) -> float:
     """
     size = 1.0 if not given.unit else factor(given.unit, asked or "1")
     if size is None:
-        raise UnreadableError("unit-other", unit=given.unit, asked=asked or "1")
+        if asked in ("", "1"):
+            raise UnreadableError("unit-none", unit=given.unit)
+        raise UnreadableError("unit-other", unit=given.unit, asked=asked)
     return given.value * size
 
 

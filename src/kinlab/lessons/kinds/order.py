@@ -85,7 +85,7 @@ def judge(task: Task, reply: str) -> Verdict:
         words = list(words[0])
     got = []
     for word in words:
-        key = by_label.get(word.casefold().strip(").")) or by_label.get(_normal(word).casefold())
+        key = by_label.get(word.casefold().strip("().")) or by_label.get(_normal(word).casefold())
         folded = {_normal(k).casefold(): k for k in by_label.values()}
         key = key or folded.get(_normal(word.upper()).casefold())
         if key is None:

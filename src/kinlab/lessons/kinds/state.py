@@ -100,11 +100,12 @@ class Workbench:
             )
         if name == "wait":
             try:
-                self._waited += float(rest)
+                waited = self._waited + float(rest)
             except ValueError:
                 return
-            if not self._waited <= LONGEST_WAIT:
+            if not waited <= LONGEST_WAIT:
                 raise UsageError(self.task.say("state.long-wait", most=f"{LONGEST_WAIT:g}"))
+            self._waited = waited
 
     def reached(self) -> bool:
         """Whether everything is as wanted now."""

@@ -83,7 +83,9 @@ class Choice(Widget, can_focus=True):
         if self.query(SelectOverlay):
             return
         overlay = SelectOverlay()
-        overlay.add_options([Text(label) for label in self.labels])
+        overlay.add_options([Text(label, no_wrap=True, overflow="ellipsis") for label in self.labels])
+        # As wide as the longest, with its border and room beside it: a name that is broken up reads as two.
+        overlay.styles.min_width = min(max(map(len, self.labels)) + 6, self.app.size.width)
         self.mount(overlay)
         overlay.select(self.names.index(self._value) if self._value in self.names else 0)
         overlay.focus()

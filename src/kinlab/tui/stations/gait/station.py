@@ -298,8 +298,7 @@ class GaitStation(Station):
     # What people do.
 
     def _show_page(self) -> None:
-        for page in PAGES:
-            self.set_class(page == self.page, f"page-{page}")
+        self.update_classes({f"page-{page}": page == self.page for page in PAGES})
 
     def check_action(self, action: str, parameters: tuple[object, ...]) -> bool | None:
         """Where there is room for both halves nobody turns the page."""

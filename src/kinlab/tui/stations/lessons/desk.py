@@ -62,8 +62,7 @@ class Desk(Vertical):
 
     def ask(self, kind: str, sign: str) -> None:
         """Make room for an exercise of a kind; `sign` stands before the line."""
-        self.set_class(kind == "state", "-state")
-        self.set_class(kind in ("choice", "mistake"), "-choice")
+        self.update_classes({"-state": kind == "state", "-choice": kind in ("choice", "mistake")})
         self.options.display = kind in ("choice", "mistake", "order")
         self.query_one("#sign", Static).update(Content(sign))
         self.query_one("#asked", VerticalScroll).scroll_home(animate=False)

@@ -123,8 +123,7 @@ class Room(Vertical):
     def show(self, view: str) -> None:
         """Show a view, the first one where there is no such."""
         self.wished = view
-        for each in VIEWS:
-            self.set_class(each == self.view, f"view-{each}")
+        self.update_classes({f"view-{each}": each == self.view for each in VIEWS})
         self.query_one(Tabs).choose(self.view)
         self.screen.refresh_bindings()
 
@@ -165,8 +164,7 @@ class Room(Vertical):
         wide = self.screen.size.width >= WIDE
         stacked = not wide and self.screen.size.height >= TALL
         before = self.beside, self.has_class("-stacked")
-        self.set_class(wide, "-beside")
-        self.set_class(stacked, "-stacked")
+        self.update_classes({"-beside": wide, "-stacked": stacked})
         return before != (wide, stacked)
 
     def _name_views(self) -> None:
@@ -185,8 +183,7 @@ class Room(Vertical):
         self.seat = seat
         self.add_class("-open")
         self._lay_out()
-        self.set_class(seat.task is None, "-end")
-        self.set_class(bool(seat.instrument), "-benched")
+        self.update_classes({"-end": seat.task is None, "-benched": bool(seat.instrument)})
         self.show("text" if seat.steps[seat.at].parts or seat.task is None else "exercise")
         self.fill(course, seat)
         self.query_one(Page).scroll_home(animate=False)

@@ -123,11 +123,12 @@ def question(seat: Seat, say: Say) -> list[Block]:
 
 def _asked(seat: Seat, step: Step, say: Say) -> list[Block]:
     assert step.task is not None
+    head = "(en) " if step.task.fallback and not seat.sitting.fallback else ""
     if not offers(step.task):
-        return [Block(seat.sitting.question(seat.name))]
+        return [Block(seat.sitting.question(seat.name), head=head)]
     rotation = step.task.field.get("rotation")
     key = "rotation" if rotation else step.task.exercise.kind
-    return [Block(step.task.ask), Block(say(f"how.{key}"), style=QUIET)]
+    return [Block(step.task.ask, head=head), Block(say(f"how.{key}"), style=QUIET)]
 
 
 def aid(seat: Seat, table: Table, say: Say) -> list[Block]:

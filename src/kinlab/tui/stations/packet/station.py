@@ -153,8 +153,7 @@ class PacketStation(Station):
         self._show_hint()
 
     def _show_view(self) -> None:
-        for view in VIEWS:
-            self.set_class(view == self.view, f"view-{view}")
+        self.update_classes({f"view-{view}": view == self.view for view in VIEWS})
         self.query_one(Tabs).choose(self.view)
 
     def _meet_chain(self) -> None:

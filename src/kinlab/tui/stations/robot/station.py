@@ -18,7 +18,7 @@ from kinlab.kinematics.transforms import Array
 from kinlab.robots import Limb, Robot
 from kinlab.robots.load import load_robots, shipped_robots
 from kinlab.robots.model import FRAMES
-from kinlab.robots.views import SIDE, TOP, Drawn, draw_view
+from kinlab.robots.views import SIDE, TOP
 from kinlab.tui.numbers import shown
 from kinlab.tui.station import Station
 from kinlab.tui.stations.robot.actions import ACTIONS
@@ -236,24 +236,13 @@ class RobotStation(Station):
     def _draw(self, name: str, columns: int, rows: int, ascii_only: bool) -> Canvas | None:
         if self.answer is None:
             return None
-        seen = self.answer.top if name == TOP else self.answer.side
-        from kinlab.papers.path import angles_of
+        from kinlab.tui.stations.robot.drawing import draw
 
-        path = self.answer.path
-        others = [pose.q for pose in path.answer.poses if pose is not path.pose]
-        # Out of reach, the limb stays where it stood.
-        if not others and path.pose is None and self.stood is not None:
-            others = [self.stood]
-        beside = [Drawn(q, "", "other") for q in others[:1]]
-        if self.ghost:
-            for variant in path.printed:
-                q = angles_of(variant, path.answer.limb)
-                if q is not None:
-                    beside.append(Drawn(q, self.say("printed.ghost"), "printed"))
-        return draw_view(
-            seen, None if path.pose is None else path.pose.q, path.answer.target,
-            beside=beside, nearest=path.answer.nearest, limits=self.bounds,
-            columns=columns, rows=rows, ascii_only=ascii_only,
+        seen = self.answer.top if name == TOP else self.answer.side
+        printed = self.say("printed.ghost") if self.ghost else ""
+        return draw(
+            self.answer, seen, columns, rows,
+            stood=self.stood, printed=printed, limits=self.bounds, ascii_only=ascii_only,
         )  # fmt: skip
 
     def _side_caption(self, canvas: Canvas) -> str:
