@@ -1,12 +1,13 @@
 """The Packet station: lines, bytes, answers, registers, faults, by key and by mouse."""
 
 import pytest
+from textual.events import Paste
 from textual.widgets import OptionList
 
 from kinlab.dynamixel.sandbox.inspection import elapse, holdings
 from kinlab.dynamixel.sandbox.session import DEFAULT_CHAIN
 from kinlab.tui.stations.packet.faults import KEYS, Faults
-from kinlab.tui.stations.packet.prompt import Prompt
+from kinlab.tui.stations.packet.prompt import LONGEST, Prompt
 from kinlab.tui.stations.packet.registers import Registers
 from kinlab.tui.stations.packet.sheet import Sheet
 from kinlab.tui.stations.packet.traffic import Traffic
@@ -82,6 +83,37 @@ def at_station(lab):
 
 
 # Lines.
+
+
+def test_a_line_that_says_nothing_puts_an_end_to_what_was_said_before(at_station):
+    async def script(person):
+        await person.enter("foo")
+        assert "no command is named 'foo'" in person.seen
+        await person.enter("trace on")
+        assert "no command" not in person.seen
+        assert "Done." in person.seen
+
+    at_station(script)
+
+
+@pytest.mark.parametrize("word", ["quit", "exit"])
+def test_the_words_that_end_a_sandbox_leave(at_station, word):
+    async def script(person):
+        await person.enter(word)
+        assert person.pilot.app._exit
+
+    at_station(script)
+
+
+def test_what_is_pasted_has_the_length_that_a_line_may_have(at_station):
+    async def script(person):
+        person.prompt.focus()
+        person.prompt.post_message(Paste("FF " * 5000))
+        await person.pilot.pause()
+        assert len(person.prompt.value) <= LONGEST
+        assert "? help" in person.seen
+
+    at_station(script)
 
 
 def test_a_packet_forms_while_it_is_typed_and_is_sent_by_enter(at_station):

@@ -13,6 +13,7 @@ from textual.widgets import Input
 from kinlab.tui.numbers import NotANumberError, read, shown
 
 WIDTH = 24
+LONGEST = 32  # characters of a number and its unit; what is pasted beyond is no number
 
 
 class NumberField(Input):
@@ -71,7 +72,7 @@ class NumberField(Input):
         step: float = 1.0,
         id: str | None = None,
     ) -> None:
-        super().__init__(shown(number), compact=True, select_on_focus=True, id=id)
+        super().__init__(shown(number), compact=True, select_on_focus=True, max_length=LONGEST, id=id)
         self.number, self.unit, self.step = number, unit, step
         self.low, self.high = low, high
         self.problem: tuple[str, dict[str, object]] | None = None

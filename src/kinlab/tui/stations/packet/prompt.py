@@ -17,6 +17,7 @@ from kinlab.dynamixel.sandbox.prompting import candidates, coloured
 from kinlab.tui.stations.packet.styles import rich_style
 
 REMEMBERED = 200
+LONGEST = 1000  # characters; the longest packet that a servo takes is half of it
 # Keys that must not be overtaken by the letters after them, as in lines that arrive in one piece.
 IN_TURN = {
     "enter": "submit",
@@ -57,7 +58,12 @@ class Prompt(Input):
 
     def __init__(self, session: Session, *, id: str | None = None) -> None:
         super().__init__(
-            compact=True, highlighter=_Colours(self), suggester=_Ghost(self), select_on_focus=False, id=id
+            compact=True,
+            highlighter=_Colours(self),
+            suggester=_Ghost(self),
+            select_on_focus=False,
+            max_length=LONGEST,
+            id=id,
         )
         self.cursor_blink = False
         self.session = session

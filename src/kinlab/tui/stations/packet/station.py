@@ -221,6 +221,9 @@ class PacketStation(Station):
 
     def carry_out(self, line: str) -> None:
         """Carry out a line of the sandbox, and show what it led to; a wrong one leaves all as it is."""
+        if line.strip() in ("quit", "exit"):
+            self.app.exit()
+            return
         verb, _, rest = line.strip().partition(" ")
         if verb == "load" and rest:
             self.run_worker(self._carry_out_file(rest.strip()), group="script", exclusive=True)
@@ -267,6 +270,8 @@ class PacketStation(Station):
         elif lines:
             upshot = "".join(text for _, text in lines[-1]).strip()
             self.tell("good" if all(outcome.ok for outcome in done) else "bad", upshot)
+        else:
+            self.tell("good", self.say("done"))
         if before != self._chain():
             self._meet_chain()
         self.query_one(Traffic).put(self.session)
