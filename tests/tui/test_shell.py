@@ -16,6 +16,7 @@ from kinlab.tui.help import Help
 from kinlab.tui.palette import Actions
 from kinlab.tui.station import Station
 from kinlab.tui.stations import STATIONS
+from kinlab.tui.widgets import NumberField
 
 
 @pytest.fixture(params=STATIONS)
@@ -93,6 +94,19 @@ def test_a_terminal_too_small_is_told_the_size_it_needs_and_goes_on_when_it_grow
         assert "^q quit" in lab.text(pilot.app)
 
     lab.drive(script, station)
+
+
+def test_numbers_are_in_sight_when_a_terminal_that_was_too_small_grows(lab):
+    async def script(pilot):
+        await pilot.resize_terminal(80, 24)
+        await pilot.pause()
+        fields = [field for field in pilot.app.screen.query(NumberField) if field.region]
+        assert fields
+        for field in fields:
+            x, y, width, _ = field.region
+            assert lab.rows(pilot.app)[y][x : x + width].strip() == field.value
+
+    lab.drive(script, "robot", (40, 10))
 
 
 def test_help_lists_every_key_and_escape_closes_it(lab, station):

@@ -87,6 +87,10 @@ class NumberField(Input):
         """No number has a question mark in it: that key remains the help's."""
         return character != "?" and super().check_consume_key(key, character)
 
+    def on_resize(self) -> None:
+        """Show the number from its beginning; while there was no room at all, it slid out of sight."""
+        self.scroll_to(x=0, animate=False, immediate=True)
+
     def on_key(self, event: Key) -> None:
         """Leave the question mark to the help."""
         if event.character == "?":
