@@ -140,6 +140,10 @@ def test_tour_walks_all_five_papers(kinlab):
     for stop in found["stops"]:
         assert stop["reachable"]
         assert stop["solutions"][stop["chosen"]]["error_mm"] < 1e-9
+    arrivals = {stop["robot"]: stop["arrival"] for stop in found["stops"]}
+    assert "unsent" in arrivals["eros"]
+    assert arrivals["xl430-hexapod"]["sync_write"].startswith("FF FF FD 00 FE 16 00 83 74 00 04 00")
+    assert 0.1 < arrivals["xl430-hexapod"]["error_mm"] < 2
     shown = kinlab("tour")
     assert shown.code == 0
     assert all(name in shown.out for name in ROBOTS)

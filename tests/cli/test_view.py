@@ -32,7 +32,9 @@ def test_every_robot_can_be_saved_without_a_display(kinlab, tmp_path, robot):
     run = kinlab("view", robot, "--save", tmp_path / "a.rrd", "--frames", "--workspace")
     assert run.code == 0, run.err
     assert run.out == ""
-    assert f"a.rrd: {(tmp_path / 'a.rrd').stat().st_size / 1000:.0f} kB; look at it with: rerun" in run.err
+    assert (
+        f"a.rrd: {(tmp_path / 'a.rrd').stat().st_size / 1000:.0f} kB; look at it with: kinlab view" in run.err
+    )
     assert whole(tmp_path / "a.rrd")
 
 
@@ -57,6 +59,33 @@ def test_what_was_saved_is_told_to_programs(kinlab, tmp_path):
     run = kinlab("view", "xl430", "--gait", "tripod", "--save", path, "--json")
     found = {"robot": "xl430-hexapod", "subject": "gait", "file": str(path), "page": None}
     assert run.json == found | {"bytes": path.stat().st_size}
+
+
+def test_what_was_saved_can_be_looked_at_again(kinlab, tmp_path):
+    file = tmp_path / "a b.rrd"
+    assert kinlab("view", "eros", "--save", str(file)).code == 0
+    run = kinlab("view", str(file))
+    assert run.code == 1
+    assert "no display" in run.err
+
+
+@pytest.mark.parametrize(
+    ("content", "more", "word"),
+    [
+        (None, [], "cannot be read: No such file"),
+        (b"robots:", [], "is no recording of rerun"),
+        (b"", [], "is no recording of rerun"),
+        (b"RRF2", ["--gait", "wave"], "only --spawn, --serve and ports"),
+        (b"RRF2", ["--json"], "only --spawn, --serve and ports"),
+    ],
+)
+def test_what_is_no_recording_is_not_opened(kinlab, tmp_path, content, more, word):
+    file = tmp_path / "a.rrd"
+    if content is not None:
+        file.write_bytes(content)
+    run = kinlab("view", str(file), *more)
+    assert run.code == 2
+    assert word in run.err
 
 
 def test_without_a_display_and_without_a_switch_it_says_what_can_be_done(kinlab):

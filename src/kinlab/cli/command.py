@@ -156,7 +156,9 @@ def write_rrd(path: Path | None, force: bool, scene: "Callable[[], Recording]") 
     from kinlab.scene import save
 
     size = save(scene(), path, force)
-    typer.echo(f"kinlab: {path}: {size / 1000:.0f} kB; look at it with: rerun {quote(str(path))}", err=True)
+    typer.echo(
+        f"kinlab: {path}: {size / 1000:.0f} kB; look at it with: kinlab view {quote(str(path))}", err=True
+    )
     return size
 
 

@@ -7,8 +7,11 @@ from rich.text import Text
 
 from kinlab.cli.printed import printed_table
 from kinlab.cli.show import drawing, fixed, place, sentences, show, table
+from kinlab.dynamixel.codec.hextext import show_hex
 from kinlab.papers import AsPrinted, measured
 from kinlab.papers import as_printed as evaluate
+from kinlab.papers.path import sent_on
+from kinlab.rig.bench import Arrival
 from kinlab.robots import Limb
 from kinlab.robots.methods import MethodComparison, outcome
 from kinlab.robots.target import PoseReport, TargetReport, angles_deg
@@ -40,7 +43,10 @@ def show_answer(
         show("", _trace(answer))
     printed = evaluate(answer.robot, answer.limb, answer.target, answer.rotation)
     if chosen is not None:
-        show("", errors_table(answer, chosen, printed), "", drawing(answer.limb, chosen.q, answer.target))
+        arrival, unsent = sent_on(answer.robot, answer.limb, chosen.q)
+        show("", errors_table(answer, chosen, printed, arrival, unsent))
+        show_bytes(arrival)
+        show("", drawing(answer.limb, chosen.q, answer.target))
     if as_printed:
         for variant in printed:
             show("", printed_table(variant.to_json(answer.limb, answer.frame)))
@@ -70,8 +76,20 @@ def angles_table(answer: TargetReport, pose: PoseReport, *, servos: bool = True)
     return found
 
 
-def errors_table(answer: TargetReport, pose: PoseReport, printed: tuple[AsPrinted, ...]) -> Table:
-    """How far off the tip lands, at each depth."""
+def show_bytes(arrival: Arrival | None) -> None:
+    """What went over the wire; nothing where the limb's servos are not on a bus."""
+    if arrival is not None:
+        show("", sentences((f"sync write, Protocol {arrival.protocol}.0:", show_hex(arrival.sent))))
+
+
+def errors_table(
+    answer: TargetReport,
+    pose: PoseReport,
+    printed: tuple[AsPrinted, ...],
+    arrival: Arrival | None,
+    unsent: str,
+) -> Table:
+    """How far off the tip lands, at each depth; `unsent` says why no emulated servos were sent there."""
     found = table("how far off the tip lands", "error", ("", "mm"), "tip, mm")
     found.add_row("of the mathematics", f"{pose.error_m * 1000:.1e}", place(answer.place_mm(pose.tip)))
     if pose.quantised is None or pose.quantised_error_m is None:
@@ -81,6 +99,16 @@ def errors_table(answer: TargetReport, pose: PoseReport, printed: tuple[AsPrinte
     else:
         tip = place(answer.place_mm(pose.quantised))
         found.add_row("of the servos' resolution", f"{pose.quantised_error_m * 1000:.4f}", tip)
+    if arrival is None or not arrival.answered:
+        found.add_row("as emulated servos stand", "-", unsent or "they do not answer")
+    else:
+        reported = ", ".join(f"{tick:g}" for tick in arrival.reported)
+        off = f"{arrival.error_m(answer.target) * 1000:.4f}"
+        found.add_row(
+            "as emulated servos stand",
+            off,
+            f"{place(answer.place_mm(arrival.tip))}, where they report {reported}",
+        )
     for variant in printed:
         if variant.error_m is None or variant.tip is None:
             found.add_row(

@@ -9,8 +9,9 @@ app = command_app()
 def tour(json: JsonOption = False) -> None:
     """The whole path once, for one target of each of the five papers.
 
-    From a target to joint angles, servo angles and commands, and back to the
-    place where the tip lands, with the error at each depth.
+    From a target to joint angles, servo angles, ticks and the bytes of the sync
+    write, and back from where emulated servos then stand, with the error at
+    each depth.
     """
     from kinlab.papers.tour import tour as walk
 

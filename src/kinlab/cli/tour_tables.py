@@ -3,14 +3,16 @@
 from rich.rule import Rule
 from rich.text import Text
 
-from kinlab.cli.ik_tables import angles_table, errors_table
+from kinlab.cli.ik_tables import angles_table, errors_table, show_bytes
 from kinlab.cli.show import drawing, place, sentences, show
 from kinlab.papers.tour import Stop
 
 
 def show_tour(stops: list[Stop]) -> None:
     """Every stop: target, angles, servos, error; and the printed equations' share in it."""
-    show("target (mm) -> joint angles -> servo angles -> commands -> joint angles -> where the tip lands")
+    show(
+        "target (mm) -> joint angles -> servo angles -> ticks -> packet bytes -> servos -> where the tip lands"
+    )
     for i, stop in enumerate(stops, 1):
         _show_stop(i, stop)
     show("", Rule(Text(" Next "), align="left", style="dim"), _next_steps())
@@ -27,7 +29,9 @@ def _show_stop(number: int, stop: Stop) -> None:
         show(Text(answer.reason, style="bold red"))
         return
     pose = answer.poses[answer.chosen]
-    show("", angles_table(answer, pose), "", errors_table(answer, pose, stop.printed))
+    errors = errors_table(answer, pose, stop.printed, stop.arrival, stop.unsent)
+    show("", angles_table(answer, pose), "", errors)
+    show_bytes(stop.arrival)
     if number == 1:
         show("", drawing(answer.limb, pose.q, answer.target))
     show("", sentences(*((f"printed {variant.variant}:", variant.note) for variant in stop.printed)))

@@ -1,4 +1,4 @@
-"""`kinlab view`: a robot, a target, a gait or an experiment in 3-D."""
+"""`kinlab view`: a robot, a target, a gait, an experiment or a saved recording in 3-D."""
 
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -11,7 +11,6 @@ from kinlab.cli.command import (
     JsonOption,
     LimbOption,
     NumericCommand,
-    RobotArgument,
     RobotsOption,
     SpeedOption,
     TurnOption,
@@ -34,7 +33,12 @@ app = command_app()
     cls=NumericCommand, epilog="Example: kinlab view krsri-hexapod --gait wave --speed 20 --save walk.rrd"
 )
 def view(
-    robot: RobotArgument,
+    robot: Annotated[
+        str,
+        typer.Argument(
+            metavar="ROBOT|FILE.rrd", show_default=False, help="A robot, or a recording that was saved."
+        ),
+    ],
     limb: LimbOption = None,
     target: Annotated[
         tuple[float, float, float] | None,
@@ -73,7 +77,7 @@ def view(
     robots: RobotsOption = None,
     json: JsonOption = False,
 ) -> None:
-    """See it in 3-D: a robot, a target, a gait or an experiment, in rerun.
+    """See it in 3-D: a robot, a target, a gait, an experiment or a recording.
 
     Without a subject the robot stands. Scrub `time` or `phase`; drag to turn,
     right-drag to move, scroll to come nearer. Needs the extra kinlab[view].
@@ -93,6 +97,13 @@ def view(
     ):
         if given and subject not in subjects:
             raise UsageError(f"{option} says nothing about {subject or 'a robot that stands'}")
+    if robot.endswith(".rrd"):
+        _check_recorded(
+            Path(robot), bool(subject or limb or workspace or frames or save or force or robots or json)
+        )
+        if how := _viewer(spawn, serve, None, port, page_port):
+            _show(Path(robot), how)
+        return
     how = _viewer(spawn, serve, save, port, page_port)
     check_rrd(save, force, "--save")
     machine = load_robot(robot, robots)
@@ -148,7 +159,17 @@ def _viewer(spawn: bool, serve: bool, save: Path | None, port: int, page_port: i
     return how
 
 
-def _show(recording: "Recording", how: "View") -> None:
+def _check_recorded(file: Path, more: bool) -> None:
+    """Refuse a file that is no recording, and options that would change one."""
+    from kinlab.errors import UsageError
+    from kinlab.scene import check_recording
+
+    if more:
+        raise UsageError(f"{file} is shown as it was saved: only --spawn, --serve and ports go with it")
+    check_recording(file)
+
+
+def _show(recording: "Recording | Path", how: "View") -> None:
     """Look at it, until the viewer is closed or Ctrl-C ends it."""
     import signal
     from contextlib import suppress

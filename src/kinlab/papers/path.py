@@ -10,7 +10,7 @@ from kinlab.kinematics.transforms import Array
 from kinlab.papers.as_printed import as_printed, fk_as_printed
 from kinlab.papers.measurements import Measured, measured
 from kinlab.papers.results import AsPrinted, FkAsPrinted
-from kinlab.rig.bench import Arrival, LimbBench
+from kinlab.rig.bench import Arrival, LimbBench, bench_of
 from kinlab.robots import Limb, Robot
 from kinlab.robots.target import PoseReport, TargetReport, solve_angles, solve_target
 
@@ -91,6 +91,17 @@ def whole_path(
         except KinlabError as error:
             unsent = str(error)
     return WholePath(answer, pose, printed, printed_fk, measured(robot, limb, answer.target), arrival, unsent)
+
+
+def sent_on(robot: Robot, limb: Limb, q: ArrayLike) -> tuple[Arrival | None, str]:
+    """What comes of sending the limb to `q` (n,), rad, on emulated servos; and why it was not sent, else empty."""
+    bench, why = bench_of(robot, limb)
+    if bench is None:
+        return None, why
+    try:
+        return bench.go(q), ""
+    except KinlabError as error:
+        return None, str(error)
 
 
 def angles_of(variant: AsPrinted, limb: Limb) -> Array | None:

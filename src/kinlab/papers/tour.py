@@ -7,6 +7,8 @@ import numpy as np
 
 from kinlab.kinematics.transforms import Array
 from kinlab.papers.as_printed import AsPrinted, as_printed
+from kinlab.papers.path import sent_on
+from kinlab.rig.bench import Arrival
 from kinlab.robots import Limb, Robot
 from kinlab.robots.load import shipped_robots
 from kinlab.robots.target import TargetReport, solve_target
@@ -21,19 +23,25 @@ class Stop:
         where: the place in the paper that the target comes from.
         answer: the path for it.
         printed: what the paper's own equations and tables make of it.
+        arrival: what came of sending the chosen solution to emulated servos; None where it was not sent.
+        unsent: why not; empty where it was.
     """
 
     where: str
     answer: TargetReport
     printed: tuple[AsPrinted, ...]
+    arrival: Arrival | None
+    unsent: str
 
     def to_json(self) -> dict[str, Any]:
-        """The contract of `kinlab ik --json --as-printed`, and where the target comes from."""
+        """The contract of `kinlab ik --json --as-printed`, where the target comes from, and how the servos took it."""
         limb, frame = self.answer.limb, self.answer.frame
+        arrived = None if self.arrival is None else self.arrival.to_json(self.answer.target)
         return {
             "where": self.where,
             **self.answer.to_json(),
             "as_printed": [variant.to_json(limb, frame) for variant in self.printed],
+            "arrival": arrived or {"unsent": self.unsent},
         }
 
 
@@ -72,5 +80,11 @@ def tour() -> list[Stop]:
         robot = robots[name]
         limb = robot.limbs[limb_name]
         answer = solve_target(robot, limb, to_metres(target, unit), frame=frame)
-        stops.append(Stop(where, answer, as_printed(robot, limb, answer.target, answer.rotation)))
+        printed = as_printed(robot, limb, answer.target, answer.rotation)
+        sent = (
+            (None, answer.reason)
+            if answer.chosen is None
+            else sent_on(robot, limb, answer.poses[answer.chosen].q)
+        )
+        stops.append(Stop(where, answer, printed, *sent))
     return stops

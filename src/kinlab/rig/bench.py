@@ -1,16 +1,20 @@
 """One limb's servos on an emulated chain: a pose goes out as a sync write, what the servos report comes back."""
 
+import math
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from kinlab.dynamixel import Bus, Chain, MemoryPort, SimulatedClock
+from kinlab.dynamixel.codec.hextext import show_hex
 from kinlab.dynamixel.outfit import worn_by
 from kinlab.errors import KinlabError
 from kinlab.kinematics.transforms import Array
 from kinlab.rig.rig import Rig
 from kinlab.robots import Limb, Robot
+from kinlab.units import shown_mm
 
 NOMINAL_VOLTS = 12.0
 # The servos are asked this often (s) until they report the same place twice, or for so long at most.
@@ -48,6 +52,17 @@ class Arrival:
     def error_m(self, target: ArrayLike) -> float:
         """The distance of the tip from `target` (3,), limb frame, metres."""
         return float(np.linalg.norm(self.tip - np.asarray(target)))
+
+    def to_json(self, target: ArrayLike) -> dict[str, Any]:
+        """The bytes, the positions reported, and how far from `target` (3,), limb frame, metres, the tip stands."""
+        return {
+            "protocol": self.protocol,
+            "sync_write": show_hex(self.sent),
+            "reported_ticks": [None if math.isnan(tick) else round(tick) for tick in self.reported.tolist()],
+            "tip_mm": shown_mm(self.tip) if self.answered else None,
+            "error_mm": self.error_m(target) * 1000 if self.answered else None,
+            "seconds": self.seconds,
+        }
 
 
 class _Line(MemoryPort):

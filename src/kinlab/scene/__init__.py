@@ -12,7 +12,7 @@ from kinlab.scene.gait import check_recordable, gait_scene, walk_scene
 from kinlab.scene.leg import robot_scene, target_scene
 from kinlab.scene.mirror import Mirror
 from kinlab.scene.recording import Recording, load_rerun
-from kinlab.scene.saving import check_new, save
+from kinlab.scene.saving import check_new, check_recording, save
 from kinlab.scene.viewer import View, check_viewer, viewing
 
 __all__ = [
@@ -22,6 +22,7 @@ __all__ = [
     "arm_scene",
     "check_new",
     "check_recordable",
+    "check_recording",
     "check_viewer",
     "gait_scene",
     "load_rerun",

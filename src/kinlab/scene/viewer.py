@@ -101,8 +101,8 @@ def program() -> Path:
 
 
 @contextmanager
-def viewing(recording: Recording, view: View) -> Iterator["subprocess.Popen[bytes]"]:
-    """A viewer with a recording in it, closed at the end; its page answers at once.
+def viewing(what: Recording | Path, view: View) -> Iterator["subprocess.Popen[bytes]"]:
+    """A viewer with a recording in it, or with the file of one, closed at the end; its page answers at once.
 
     Raises:
         UsageError: the user is a guest, who sits elsewhere.
@@ -114,7 +114,10 @@ def viewing(recording: Recording, view: View) -> Iterator["subprocess.Popen[byte
     with ExitStack() as stack:
         folder = Path(stack.enter_context(TemporaryDirectory(prefix="kinlab-")))
         file, complaints = folder / "scene.rrd", folder / "complaints"
-        write_whole(file, recording.data())
+        if isinstance(what, Path):
+            file = what
+        else:
+            write_whole(file, what.data())
         options = ["--bind", LOOPBACK, "--port", str(view.port), "--hide-welcome-screen"]
         if view.browser:
             inner = free_port()
