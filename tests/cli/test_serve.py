@@ -134,8 +134,7 @@ def test_where_it_is_as_json(started, tmp_path):
 
 def test_without_the_extra_the_line_that_installs_it_is_given(kinlab, monkeypatch):
     monkeypatch.setitem(sys.modules, "textual_serve.server", None)
-    for name in [name for name in sys.modules if name.startswith("kinlab.tui.web")]:
-        monkeypatch.delitem(sys.modules, name)
+    monkeypatch.delitem(sys.modules, "kinlab.tui.web.server", raising=False)
     run = kinlab("serve", "--port", 0)
     assert run.code == 1
     assert install_line("serve") in run.err
