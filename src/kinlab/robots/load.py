@@ -45,6 +45,12 @@ def shipped_robots() -> dict[str, Robot]:
     return {name: shelf.robot(name) for name in shelf.names()}
 
 
+def shipped_robot(name: str) -> Robot | None:
+    """KinLab's own robot of exactly that name, whatever `$KINLAB_ROBOTS` says; None if it has none."""
+    shelf = _own_shelf()
+    return shelf.robot(name) if name in shelf.names() else None
+
+
 def robot_names(file: str | os.PathLike[str] | None = None) -> list[str]:
     """The names that `load_robot` takes, without building the robots."""
     return _Shelf.of(file).names()

@@ -6,8 +6,8 @@ import numpy as np
 
 from kinlab.gait import Walk, find_curve, find_gait, plan
 from kinlab.gait.swing import CURVES
+from kinlab.lessons.robots import load_robot
 from kinlab.papers.footsteps import krsri_printed
-from kinlab.robots import load_robot
 
 CURVE = "line-sine"
 

@@ -4,7 +4,7 @@ import numpy as np
 
 from kinlab.kinematics.transforms import rotation_to_rpy
 from kinlab.lessons.answers.leg import foot, lengths
-from kinlab.robots import load_robot
+from kinlab.lessons.robots import load_robot
 
 
 def two_links(robot: str, beta: float, gamma: float) -> list[float]:

@@ -6,7 +6,7 @@ from functools import cache
 
 from kinlab.gait import Gait, find_gait, plan, wave_gait
 from kinlab.gait.limits import assess
-from kinlab.robots import load_robot
+from kinlab.lessons.robots import load_robot
 
 ROWS = ("1", "2", "3")
 

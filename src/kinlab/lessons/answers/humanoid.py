@@ -6,7 +6,8 @@ from kinlab.gait import find_gait
 from kinlab.gait.stability import GRAVITY
 from kinlab.kinematics.humanoid_leg import humanoid_leg_ik
 from kinlab.kinematics.transforms import Array, homogeneous
-from kinlab.robots import Limb, load_robot
+from kinlab.lessons.robots import load_robot
+from kinlab.robots import Limb
 
 LEG = "right_leg"
 

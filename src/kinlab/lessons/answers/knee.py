@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from kinlab.robots import Limb, load_robot
+from kinlab.lessons.robots import load_robot
+from kinlab.robots import Limb
 from kinlab.robots.inverse import Inverse
 
 

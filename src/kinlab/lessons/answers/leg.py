@@ -3,7 +3,8 @@
 import numpy as np
 
 from kinlab.lessons.results import Reach, limb_reach
-from kinlab.robots import Limb, load_robot
+from kinlab.lessons.robots import load_robot
+from kinlab.robots import Limb
 
 
 def lengths(robot: str, limb: str = "") -> dict[str, float]:

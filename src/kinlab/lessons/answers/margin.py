@@ -6,7 +6,7 @@ import numpy as np
 
 from kinlab.gait import find_gait, least_margins, plan, wave_margin
 from kinlab.gait.support import energy_margin, margins
-from kinlab.robots import load_robot
+from kinlab.lessons.robots import load_robot
 
 TRIPOD = ("L1", "R2", "L3")
 

@@ -4,7 +4,7 @@ import numpy as np
 
 from kinlab.kinematics.transforms import Array
 from kinlab.lessons.answers.leg import foot, lengths
-from kinlab.robots import load_robot
+from kinlab.lessons.robots import load_robot
 
 
 def sideways_speed(robot: str, beta: float, gamma: float, rate: float) -> float:

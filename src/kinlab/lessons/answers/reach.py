@@ -3,8 +3,8 @@
 import numpy as np
 
 from kinlab.lessons.answers.leg import lengths
+from kinlab.lessons.robots import load_robot
 from kinlab.papers.as_printed import as_printed
-from kinlab.robots import load_robot
 
 
 def distance(robot: str, x: float, y: float, z: float) -> float:

@@ -4,7 +4,7 @@ import numpy as np
 
 from kinlab.kinematics.body import feet_from_body
 from kinlab.kinematics.transforms import rpy_to_rotation
-from kinlab.robots import load_robot
+from kinlab.lessons.robots import load_robot
 from kinlab.robots.body import body_pose
 
 

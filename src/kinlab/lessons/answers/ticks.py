@@ -2,8 +2,9 @@
 
 import numpy as np
 
+from kinlab.lessons.robots import load_robot
 from kinlab.papers.tables import printed_table
-from kinlab.robots import Limb, load_robot
+from kinlab.robots import Limb
 from kinlab.robots.servo import Servo
 from kinlab.robots.target import read_servos
 

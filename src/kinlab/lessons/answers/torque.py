@@ -7,7 +7,8 @@ import numpy as np
 from kinlab.dynamics import GRAVITY, Mechanism, gravity_torque, inverse_dynamics
 from kinlab.kinematics.transforms import Array
 from kinlab.lessons.answers.leg import foot, lengths
-from kinlab.robots import Limb, load_robot
+from kinlab.lessons.robots import load_robot
+from kinlab.robots import Limb
 
 ARM = "receptionist-arm"
 

@@ -2,7 +2,7 @@
 
 from kinlab.gait import find_gait
 from kinlab.gait.drawing import bars as draw_bars
-from kinlab.robots import load_robot
+from kinlab.lessons.robots import load_robot
 
 
 def bars(robot: str, gait: str, columns: int = 40, ascii_only: bool = False) -> str:

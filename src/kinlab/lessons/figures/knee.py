@@ -3,7 +3,7 @@
 import numpy as np
 
 from kinlab.canvas import Canvas
-from kinlab.robots import load_robot
+from kinlab.lessons.robots import load_robot
 
 
 def both(robot: str, x: float, y: float, z: float, columns: int = 40, ascii_only: bool = False) -> Canvas:

@@ -4,7 +4,7 @@ import numpy as np
 
 from kinlab.canvas import Canvas
 from kinlab.kinematics.transforms import rpy_to_rotation
-from kinlab.robots import load_robot
+from kinlab.lessons.robots import load_robot
 
 
 def turned(robot: str, yaw: float, columns: int = 40, ascii_only: bool = False) -> Canvas:

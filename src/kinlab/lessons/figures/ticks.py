@@ -5,7 +5,7 @@ from itertools import product
 import numpy as np
 
 from kinlab.canvas import Canvas
-from kinlab.robots import load_robot
+from kinlab.lessons.robots import load_robot
 
 
 def lattice(

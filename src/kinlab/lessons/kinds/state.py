@@ -9,8 +9,8 @@ from kinlab.dynamixel.sandbox import VERBS, Outcome, Session, execute
 from kinlab.errors import KinlabError, UsageError
 from kinlab.lessons.replies import LONGEST_SCRIPT, UnreadableError, clean, quote
 from kinlab.lessons.results import Goal, Holds, TipNear
+from kinlab.lessons.robots import load_robot
 from kinlab.lessons.task import Task, Verdict, did_you_mean
-from kinlab.robots import load_robot
 
 # What reaches beyond the session, or changes a servo from behind.
 FILES = frozenset({"save", "load"})

@@ -13,9 +13,10 @@ from kinlab.lessons.kinds.joints import angles_deg
 from kinlab.lessons.kinds.state import Workbench
 from kinlab.lessons.replies import LONGEST_SCRIPT, UnreadableError, clean
 from kinlab.lessons.results import Holds, Reach
+from kinlab.lessons.robots import load_robot
 from kinlab.lessons.sitting import Step
 from kinlab.papers.tour import first_target
-from kinlab.robots import Limb, load_robot
+from kinlab.robots import Limb
 
 
 @dataclass(frozen=True)
