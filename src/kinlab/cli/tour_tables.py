@@ -19,22 +19,22 @@ def show_tour(stops: list[Stop]) -> None:
 
 
 def _show_stop(number: int, stop: Stop) -> None:
-    answer = stop.answer
+    path, answer = stop.path, stop.path.answer
     show("", Rule(Text(f" {number}. {answer.robot.name} ", style="bold"), align="left", style="dim"))
     show(f"{answer.robot.title}.")
     show(
         f"Target {place(answer.place_mm(answer.target))} mm for {answer.limb.name}, in the paper's axes: {stop.where}."
     )
-    if answer.chosen is None:
+    pose = path.pose
+    if pose is None:
         show(Text(answer.reason, style="bold red"))
         return
-    pose = answer.poses[answer.chosen]
-    errors = errors_table(answer, pose, stop.printed, stop.arrival, stop.unsent)
+    errors = errors_table(answer, pose, path.printed, path.arrival, path.unsent)
     show("", angles_table(answer, pose), "", errors)
-    show_bytes(stop.arrival)
+    show_bytes(path.arrival)
     if number == 1:
         show("", drawing(answer.limb, pose.q, answer.target))
-    show("", sentences(*((f"printed {variant.variant}:", variant.note) for variant in stop.printed)))
+    show("", sentences(*((f"printed {variant.variant}:", variant.note) for variant in path.printed)))
 
 
 def _next_steps() -> Text:

@@ -84,20 +84,18 @@ def whole_path(
     wished = (pose for pose in answer.poses if pose.name == solution and pose.within_limits)
     chosen = None if answer.chosen is None else answer.poses[answer.chosen]
     pose = next(wished, chosen)
-    arrival, unsent = None, no_bench
-    if pose is not None and bench is not None:
-        try:
-            arrival, unsent = bench.go(pose.q), ""
-        except KinlabError as error:
-            unsent = str(error)
+    arrival, unsent = (None, no_bench) if pose is None else _sent(bench, no_bench, pose.q)
     return WholePath(answer, pose, printed, printed_fk, measured(robot, limb, answer.target), arrival, unsent)
 
 
 def sent_on(robot: Robot, limb: Limb, q: ArrayLike) -> tuple[Arrival | None, str]:
     """What comes of sending the limb to `q` (n,), rad, on emulated servos; and why it was not sent, else empty."""
-    bench, why = bench_of(robot, limb)
+    return _sent(*bench_of(robot, limb), q)
+
+
+def _sent(bench: LimbBench | None, no_bench: str, q: ArrayLike) -> tuple[Arrival | None, str]:
     if bench is None:
-        return None, why
+        return None, no_bench
     try:
         return bench.go(q), ""
     except KinlabError as error:

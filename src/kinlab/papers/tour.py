@@ -6,12 +6,10 @@ from typing import Any
 import numpy as np
 
 from kinlab.kinematics.transforms import Array
-from kinlab.papers.as_printed import AsPrinted, as_printed
-from kinlab.papers.path import sent_on
-from kinlab.rig.bench import Arrival
+from kinlab.papers.path import WholePath, whole_path
+from kinlab.rig.bench import bench_of
 from kinlab.robots import Limb, Robot
 from kinlab.robots.load import shipped_robots
-from kinlab.robots.target import TargetReport, solve_target
 from kinlab.units import to_metres
 
 
@@ -21,27 +19,21 @@ class Stop:
 
     Attributes:
         where: the place in the paper that the target comes from.
-        answer: the path for it.
-        printed: what the paper's own equations and tables make of it.
-        arrival: what came of sending the chosen solution to emulated servos; None where it was not sent.
-        unsent: why not; empty where it was.
+        path: for it, its chosen solution sent to emulated servos.
     """
 
     where: str
-    answer: TargetReport
-    printed: tuple[AsPrinted, ...]
-    arrival: Arrival | None
-    unsent: str
+    path: WholePath
 
     def to_json(self) -> dict[str, Any]:
         """The contract of `kinlab ik --json --as-printed`, where the target comes from, and how the servos took it."""
-        limb, frame = self.answer.limb, self.answer.frame
-        arrived = None if self.arrival is None else self.arrival.to_json(self.answer.target)
+        path, answer = self.path, self.path.answer
+        arrived = None if path.arrival is None else path.arrival.to_json(answer.target)
         return {
             "where": self.where,
-            **self.answer.to_json(),
-            "as_printed": [variant.to_json(limb, frame) for variant in self.printed],
-            "arrival": arrived or {"unsent": self.unsent},
+            **answer.to_json(),
+            "as_printed": [variant.to_json(answer.limb, answer.frame) for variant in path.printed],
+            "arrival": arrived or {"unsent": path.unsent},
         }
 
 
@@ -79,12 +71,8 @@ def tour() -> list[Stop]:
     for name, limb_name, target, unit, frame, where in TARGETS:
         robot = robots[name]
         limb = robot.limbs[limb_name]
-        answer = solve_target(robot, limb, to_metres(target, unit), frame=frame)
-        printed = as_printed(robot, limb, answer.target, answer.rotation)
-        sent = (
-            (None, answer.reason)
-            if answer.chosen is None
-            else sent_on(robot, limb, answer.poses[answer.chosen].q)
-        )
-        stops.append(Stop(where, answer, printed, *sent))
+        bench, why = bench_of(robot, limb)
+        there = to_metres(target, unit)
+        path = whole_path(robot, limb, target=there, frame=frame, bench=bench, no_bench=why)
+        stops.append(Stop(where, path))
     return stops

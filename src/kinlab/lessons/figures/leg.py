@@ -17,9 +17,7 @@ def side(
     ascii_only: bool = False,
 ) -> Canvas:
     """The leg in its own plane, z up, its links named."""
-    leg = load_robot(robot).limb(limb or None)
-    q = np.radians([alpha, beta, gamma])
-    return draw_limb(leg, q, columns=columns, rows=12, ascii_only=ascii_only)[0]
+    return _views(robot, limb, (alpha, beta, gamma), columns, ascii_only)[0]
 
 
 def top(
@@ -32,6 +30,11 @@ def top(
     ascii_only: bool = False,
 ) -> Canvas:
     """The leg from above, x to the right, y up."""
+    return _views(robot, limb, (alpha, beta, gamma), columns, ascii_only)[1]
+
+
+def _views(
+    robot: str, limb: str, angles_deg: tuple[float, float, float], columns: int, ascii_only: bool
+) -> tuple[Canvas, Canvas]:
     leg = load_robot(robot).limb(limb or None)
-    q = np.radians([alpha, beta, gamma])
-    return draw_limb(leg, q, columns=columns, rows=12, ascii_only=ascii_only)[1]
+    return draw_limb(leg, np.radians(angles_deg), columns=columns, rows=12, ascii_only=ascii_only)
