@@ -61,8 +61,9 @@ def test_what_was_saved_is_told_to_programs(kinlab, tmp_path):
     assert run.json == found | {"bytes": path.stat().st_size}
 
 
-def test_what_was_saved_can_be_looked_at_again(kinlab, tmp_path):
-    file = tmp_path / "a b.rrd"
+@pytest.mark.parametrize("name", ["a b.rrd", "A.RRD"])
+def test_what_was_saved_can_be_looked_at_again(kinlab, tmp_path, name):
+    file = tmp_path / name
     assert kinlab("view", "eros", "--save", str(file)).code == 0
     run = kinlab("view", str(file))
     assert run.code == 1

@@ -97,7 +97,7 @@ def view(
     ):
         if given and subject not in subjects:
             raise UsageError(f"{option} says nothing about {subject or 'a robot that stands'}")
-    if robot.endswith(".rrd"):
+    if Path(robot).suffix.lower() == ".rrd":
         _check_recorded(
             Path(robot), bool(subject or limb or workspace or frames or save or force or robots or json)
         )
