@@ -19,12 +19,13 @@ def served(tmp_path):
     chain = Chain.of([("RX-24F", [i]) for i in (2, 4, 6)])
     for servo, joint_deg in ((2, 44.0), (4, 1.0), (6, 146.0)):
         motor_of(chain.servo(servo)).angle = math.radians(150 + joint_deg)
-    server = Server(chain, [link])
-    thread = threading.Thread(target=server.run)
-    thread.start()
-    yield link.link
-    server.stop()
-    thread.join(timeout=10)
+    with Server(chain) as server:
+        server.add(link)
+        thread = threading.Thread(target=server.run)
+        thread.start()
+        yield link.link
+        server.stop()
+        thread.join(timeout=10)
 
 
 def test_the_four_experiments_print_the_verdict_beside_the_claim(kinlab):

@@ -1,6 +1,7 @@
 """Emulated chains for other programs: ptys and TCP, and clients that behave as they like."""
 
 import os
+import signal
 import socket
 import stat
 import subprocess
@@ -9,10 +10,13 @@ import termios
 import threading
 import time
 import tty
+from contextlib import ExitStack
+from itertools import count
 
 import pytest
 import serial
 
+from kinlab.cli import main
 from kinlab.dynamixel import Bus, Chain, PortError
 from kinlab.dynamixel.codec.packets import Packet, encode
 from kinlab.dynamixel.serving import Server
@@ -27,24 +31,23 @@ PONG = bytes.fromhex("FF FF 01 02 00 FC")
 @pytest.fixture
 def serve(tmp_path):
     """A served chain of three AX-12A: its server, the link to its pty, its TCP address."""
-    servers = []
+    with ExitStack() as servers:
+        numbers = count()
 
-    def start(byte_times=False, **settings):
-        link = PtyLink(tmp_path / f"tty{len(servers)}", 1_000_000)
-        listener = TcpListener("0")
-        chain = Chain.of([("AX-12A", [i]) for i in (1, 2, 3)], byte_times=byte_times)
-        server = Server(chain, [link], listener, **settings)
-        thread = threading.Thread(target=server.run)
-        thread.start()
-        servers.append((server, thread))
-        host, port = listener.address.split(":")
-        return server, link.link, (host, int(port))
+        def start(byte_times=False, **settings):
+            link = PtyLink(tmp_path / f"tty{next(numbers)}", 1_000_000)
+            listener = TcpListener("0")
+            chain = Chain.of([("AX-12A", [i]) for i in (1, 2, 3)], byte_times=byte_times)
+            server = servers.enter_context(Server(chain, listener, **settings))
+            server.add(link)
+            thread = threading.Thread(target=server.run)
+            thread.start()
+            servers.callback(thread.join)
+            servers.callback(server.stop)
+            host, port = listener.address.split(":")
+            return server, link.link, (host, int(port))
 
-    yield start
-    for server, thread in servers:
-        server.stop()
-        thread.join(timeout=10)
-        assert not thread.is_alive()
+        yield start
 
 
 def receive(client, count, seconds=10.0):
@@ -305,8 +308,6 @@ def test_a_busy_port_is_a_clear_error(serve):
 
 @pytest.mark.parametrize("sign", ["SIGINT", "SIGTERM"])
 def test_emulate_ends_cleanly_and_removes_its_link(emulate, sign):
-    import signal
-
     link = emulate("--servo", "AX-12A:1")
     process = emulate.running[0]
     process.send_signal(getattr(signal, sign))
@@ -314,6 +315,22 @@ def test_emulate_ends_cleanly_and_removes_its_link(emulate, sign):
     assert process.returncode == 0
     assert not os.path.lexists(link)
     assert "Serial port" in out
+
+
+@pytest.mark.parametrize("sign", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
+def test_a_signal_as_soon_as_the_link_is_there_leaves_none_behind(tmp_path, monkeypatch, sign):
+    class Hasty(PtyLink):
+        def __init__(self, link, baud):
+            super().__init__(link, baud)
+            os.kill(os.getpid(), sign)
+
+    monkeypatch.setattr("kinlab.dynamixel.serving.pty.PtyLink", Hasty)
+    before = signal.getsignal(sign)
+    with pytest.raises(SystemExit) as done:
+        main(["emulate", "--servo", "AX-12A:1", "--pty", str(tmp_path / "ttyDXL")])
+    assert done.value.code in (0, None)
+    assert list(tmp_path.iterdir()) == []
+    assert signal.getsignal(sign) == before
 
 
 def test_a_second_emulate_on_the_same_link_is_refused(emulate):

@@ -2,6 +2,8 @@
 
 import signal
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -11,6 +13,8 @@ from kinlab.cli.command import JsonOption, NumericCommand, RobotsOption, command
 
 if TYPE_CHECKING:
     from kinlab.dynamixel.chain import Chain
+    from kinlab.dynamixel.serving import Server
+    from kinlab.dynamixel.serving.pty import PtyLink
 
 app = command_app()
 
@@ -82,32 +86,56 @@ def emulate(
         broken, _, kind = text.partition(":")
         break_servo(chain.servo(one_id(broken)), kind)
     listener = TcpListener(tcp) if tcp else None
-    links = []
-    if pty or not listener:
-        try:
-            from kinlab.dynamixel.serving.pty import PtyLink
-        except ImportError:
-            raise UsageError("this system has no ptys; serve TCP: --tcp 5000") from None
-        links.append(PtyLink(pty or Path("ttyDXL"), baud))
     server = Server(
         chain,
-        links,
         listener,
         watch=_show_traffic if traffic else None,
         after_change=(lambda: _keep(chain, eeprom)) if eeprom else None,
     )
-    for number in (signal.SIGINT, signal.SIGTERM):
-        signal.signal(number, lambda *_: server.stop())
-    where = {"pty": str(links[0].link) if links else None, "tcp": listener.address if listener else None}
-    if json:
-        servos = [
-            {"id": s.id, "model": s.table.model, "protocol": s.protocol, "baud": s.baud} for s in chain.servos
-        ]
-        print_json({"robot": robot, **where, "servos": servos})
-    else:
-        _announce(chain, where)
-    sys.stdout.flush()
-    server.run()
+    # The signals first: whoever sees the link may end the chain, and then the link goes.
+    with server, _ended_by_signals(server):
+        link = None
+        if pty or not listener:
+            link = _link(pty or Path("ttyDXL"), baud)
+            server.add(link)
+        where = {"pty": str(link.link) if link else None, "tcp": listener.address if listener else None}
+        if json:
+            servos = [
+                {"id": s.id, "model": s.table.model, "protocol": s.protocol, "baud": s.baud}
+                for s in chain.servos
+            ]
+            print_json({"robot": robot, **where, "servos": servos})
+        else:
+            _announce(chain, where)
+        sys.stdout.flush()
+        server.run()
+
+
+@contextmanager
+def _ended_by_signals(server: "Server") -> Iterator[None]:
+    """Let Ctrl-C, SIGTERM and a closed terminal end the server in its own time, with nothing left half done."""
+    numbers = [signal.SIGINT, signal.SIGTERM]
+    # Windows has no SIGHUP, and nohup ignores it on purpose.
+    hangup = getattr(signal, "SIGHUP", None)
+    if hangup and signal.getsignal(hangup) != signal.SIG_IGN:
+        numbers.append(hangup)
+    before = {number: signal.signal(number, lambda *_: server.stop()) for number in numbers}
+    try:
+        yield
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
+
+
+def _link(path: Path, baud: int) -> "PtyLink":
+    """A pty with that name, where the system has ptys."""
+    from kinlab.errors import UsageError
+
+    try:
+        from kinlab.dynamixel.serving.pty import PtyLink
+    except ImportError:
+        raise UsageError("this system has no ptys; serve TCP: --tcp 5000") from None
+    return PtyLink(path, baud)
 
 
 def _check(baud: int, volts: float, delay_ms: float, chances: dict[str, float]) -> None:

@@ -176,9 +176,10 @@ def _show(recording: "Recording | Path", how: "View") -> None:
 
     from kinlab.scene import viewing
 
-    # However it is ended, the viewer ends with it; Windows has no SIGHUP.
+    # However it is ended, the viewer ends with it; Windows has no SIGHUP, and nohup ignores it on purpose.
     for ending in ("SIGTERM", "SIGHUP"):
-        if number := getattr(signal, ending, None):
+        number = getattr(signal, ending, None)
+        if number and signal.getsignal(number) != signal.SIG_IGN:
             signal.signal(number, signal.default_int_handler)
     with suppress(KeyboardInterrupt), viewing(recording, how) as viewer:
         where = (

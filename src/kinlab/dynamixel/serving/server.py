@@ -3,8 +3,9 @@
 import heapq
 import select
 import socket
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from itertools import count
+from typing import Self
 
 from kinlab.dynamixel.chain import Burst, Chain, RealClock, Receiver
 from kinlab.dynamixel.chain.chain import wire_time
@@ -16,12 +17,11 @@ Watcher = Callable[[str, bytes, float], None]
 
 
 class Server:
-    """Serves a chain to the clients of any number of links."""
+    """Serves a chain to the clients of any number of links; `with` closes them all."""
 
     def __init__(
         self,
         chain: Chain,
-        links: Iterable[Link] = (),
         listener: TcpListener | None = None,
         watch: Watcher | None = None,
         after_change: Callable[[], None] | None = None,
@@ -35,7 +35,7 @@ class Server:
         self.chain = chain
         self.clock = RealClock()
         chain.begin(self.clock.now())
-        self._receivers = {link: Receiver(chain) for link in links}
+        self._receivers: dict[Link, Receiver] = {}
         self._listener = listener
         self._watch = watch
         self._after_change = after_change
@@ -46,16 +46,28 @@ class Server:
         self._waker, self._wake = socket.socketpair()
         self._stopped = False
 
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        for link in self._receivers:
+            link.close()
+        if self._listener:
+            self._listener.close()
+        self._waker.close()
+        self._wake.close()
+
+    def add(self, link: Link) -> None:
+        """Serve one link more."""
+        self._receivers[link] = Receiver(self.chain)
+
     def run(self) -> None:
         """Serve until `stop` is called."""
-        try:
-            while not self._stopped:
-                self._turn()
-        finally:
-            self._close()
+        while not self._stopped:
+            self._turn()
 
     def stop(self) -> None:
-        """End `run` from another thread, or from a signal handler."""
+        """End `run`, also one that has yet to begin, from another thread or from a signal handler."""
         self._wake.send(b"x")
 
     def _turn(self) -> None:
@@ -68,7 +80,7 @@ class Server:
                 if client and len(self._receivers) > MOST_CLIENTS:
                     client.close()  # A client that is turned away knows at once; one left waiting never does.
                 elif client:
-                    self._receivers[client] = Receiver(self.chain)
+                    self.add(client)
             elif source is self._waker:
                 self._stopped = True
             elif not isinstance(source, socket.socket | TcpListener):
@@ -122,11 +134,3 @@ class Server:
                     for piece in pieces:
                         self._watch("<-", piece, now)
                 link.send(b"".join(pieces))
-
-    def _close(self) -> None:
-        for link in self._receivers:
-            link.close()
-        if self._listener:
-            self._listener.close()
-        self._waker.close()
-        self._wake.close()
