@@ -262,6 +262,19 @@ def test_a_mistake_of_our_own_leaves_a_report_and_no_page_of_code(lab, capsys):
     assert "Traceback" not in said
 
 
+def test_an_answer_that_comes_after_somebody_has_left_is_no_mistake(lab, capsys):
+    async def script(pilot):
+        async def answer():
+            while pilot.app.is_running:
+                await asyncio.sleep(0)
+            pilot.app.screen.query_one("Nothing")
+
+        pilot.app.screen.run_worker(answer())
+
+    lab.drive(script)
+    assert not capsys.readouterr().err
+
+
 def test_ctrl_c_leaves_cleanly(lab):
     async def script(pilot):
         await pilot.press("ctrl+c")

@@ -168,8 +168,6 @@ class RobotStation(Station):
                 except KinlabError as error:
                     self.tell("bad", str(error))
                     continue
-                if not self.lab.is_running:
-                    return  # somebody has left meanwhile
                 self._show(answer)
         finally:
             self._busy = False
