@@ -94,6 +94,13 @@ class Lab:
         return app
 
     @staticmethod
+    async def until(pilot: Pilot[None], true: Callable[[], Any]) -> None:
+        """Wait for what other threads and timers bring; what never comes fails the test."""
+        async with asyncio.timeout(30):
+            while not true():
+                await pilot.pause(0.01)
+
+    @staticmethod
     def rows(app: KinlabApp) -> list[str]:
         """The screen as rows of text, from Textual's own exported screenshot."""
         width, height = app.size

@@ -8,6 +8,7 @@ import sys
 import threading
 
 import pytest
+from textual.command import CommandList
 from textual.widgets import Static
 
 from kinlab.errors import FileError
@@ -230,10 +231,10 @@ def test_the_palette_finds_an_action_by_its_name(lab):
     async def script(pilot):
         await pilot.press("ctrl+p")
         await pilot.press(*"dark or")
-        await pilot.pause(0.2)
+        hits = pilot.app.screen.query_one(CommandList)
+        await lab.until(pilot, lambda: "dark or light" in str(hits.options[:1] and hits.options[0].prompt))
         await pilot.press("enter")
-        await pilot.pause(0.2)
-        assert pilot.app.theme == "kinlab-light"
+        await lab.until(pilot, lambda: pilot.app.theme == "kinlab-light")
 
     lab.drive(script)
 
