@@ -51,6 +51,13 @@ class Lab:
         return app
 
     @staticmethod
+    async def until(pilot: Pilot[None], holds: Callable[[], object]) -> None:
+        """Wait until that holds: how soon a timer comes, or a search ends, depends on the machine."""
+        async with asyncio.timeout(60):
+            while not holds():
+                await pilot.pause(0.02)
+
+    @staticmethod
     def rows(app: KinlabApp) -> list[str]:
         """The screen as rows of text, from Textual's own exported screenshot."""
         width, height = app.size

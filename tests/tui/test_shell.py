@@ -6,6 +6,7 @@ import signal
 import sys
 
 import pytest
+from textual.command import CommandList
 from textual.widgets import Static
 
 from kinlab.errors import FileError
@@ -213,10 +214,11 @@ def test_the_palette_finds_an_action_by_its_name(lab):
     async def script(pilot):
         await pilot.press("ctrl+p")
         await pilot.press(*"dark or")
-        await pilot.pause(0.2)
+        found = pilot.app.screen.query_one(CommandList)
+        await pilot.app.workers.wait_for_complete()
+        await lab.until(pilot, lambda: found.highlighted == 0)
         await pilot.press("enter")
-        await pilot.pause(0.2)
-        assert pilot.app.theme == "kinlab-light"
+        await lab.until(pilot, lambda: pilot.app.theme == "kinlab-light")
 
     lab.drive(script)
 
