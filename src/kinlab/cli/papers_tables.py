@@ -60,7 +60,8 @@ def show_summary(reports: list[Report]) -> None:
 def show_findings(report: Report, number: str | None, only: Verdict | None) -> None:
     """The findings of a paper, or those of a table or of a verdict, in the order of the print.
 
-    Measured figures of a table stand in one line for each reason, and the entries of a matrix that agree in that of its equation.
+    Measured figures of a table stand in one line for each reason, and the entries of a matrix that agree in that of
+    its equation.
     """
     findings = [f for f in report.select(number, only) if f.kind != "entry" or f.verdict != "reproduced"]
     if not findings and number is None:

@@ -85,8 +85,8 @@ LEG = (
         lambda s: wrap(np.arctan2(s["P_y"], s["P_x"]) - s["theta1"]), unit=DEG,
         reading=lambda s: wrap(np.arctan2(s["P_y"], s["P_x"]) - s["theta1"]),
         inputs=(("P_x", "P_x", MM), ("P_y", "P_y", MM), ("θ1", "theta1", DEG)),
-        cause="right where the arctangent knows its quadrant, as atan2 does; taken as it stands it is half a turn off for "
-        "a foot behind the hip",
+        cause="right where the arctangent knows its quadrant, as atan2 does; taken as it stands it is half a turn off "
+        "for a foot behind the hip",
     ),
     Equation(
         "12", "dP_y = P_y + R0 sin(β)", lambda s: s["P_y"] + s["R0"] * np.sin(s["beta"]), _q("dP_y"),

@@ -182,8 +182,8 @@ EQUATIONS = (
         "2.46", "v'_i+1 = R (v'_i + ω' × p - ω × ω × p), revolute", lambda s: _revolute(s, -1)[:, 0],
         lambda s: s["next"][:, 0], "v'_i+1 = R (v'_i + ω' × p + ω × ω × p)", lambda s: _revolute(s, 1)[:, 0],
         unit="m/s²", inputs=(*SPIN, *ARM),
-        cause=f"minus for plus, {EITHER}: the end of a turning link accelerates inwards; (2.45), (2.47) and (2.48) have the plus. "
-        "Its x, with v'_i = 0, ω' = 0",
+        cause=f"minus for plus, {EITHER}: the end of a turning link accelerates inwards; (2.45), (2.47) and (2.48) "
+        "have the plus. Its x, with v'_i = 0, ω' = 0",
     ),
     Equation("2.47", "v'_i+1 = R (v'_i + d'' x + 2 ω × d' x + ω' × d x + ω × ω × d x), prismatic", _prismatic,
              _of("slid point"), unit="m/s²", cause="in the frame before it"),
