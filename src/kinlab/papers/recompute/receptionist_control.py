@@ -38,7 +38,7 @@ def control_samples() -> Quantities:
         "env": env, "F": F, "Kf": Kf, "Kenv": Kenv, "Denv": Denv, "Menv": Menv,
         "zeta": np.array([0.5, *np.linspace(0.1, 0.9, COUNT - 1)]), "omega": drawn(2),
         "Ktn": Ktn, "dKt": dKt, "Kt": Ktn + dKt, "Jn": Jn, "dJ": dJ, "J": Jn + dJ, "I": current,
-        "internal": inner, "external": outer, "friction": friction, "load": load,
+        "g": np.full(COUNT, 5.0), "internal": inner, "external": outer, "friction": friction, "load": load,
         "acceleration": ((Ktn + dKt) * current - load) / (Jn + dJ),
     }  # fmt: skip
 
@@ -123,6 +123,7 @@ MOTOR = (
     ("ΔJ", "dJ", ""),
     ("I_a", "I", A),
     ("τ_l", "load", NM),
+    ("θ''", "acceleration", "rad/s²"),
 )
 LETTER = "the scan mixes letters here"
 
