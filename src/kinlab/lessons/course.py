@@ -1,5 +1,6 @@
 """The course: KinLab's own lessons, and those of a folder that a teacher names."""
 
+import os
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -98,7 +99,12 @@ def load_course(folder: Path | None = None) -> Course:
 
 def _folders(root: Path) -> list[Path]:
     try:
-        return sorted(each for each in root.iterdir() if each.is_dir() and (each / "en.md").exists())
+        return sorted(
+            each
+            for each in root.iterdir()
+            # A link that leads nowhere is a page all the same.
+            if each.is_dir() and any(os.path.lexists(each / f"{code}.md") for code in LANGUAGES)
+        )
     except OSError as error:
         raise FileError(f"{root}: cannot be read: {error.strerror}") from None
 

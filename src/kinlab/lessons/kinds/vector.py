@@ -33,8 +33,16 @@ def wrong(task: Task) -> Sequence[str]:
 
 
 def want(task: Task, answer: Any = None) -> list[float]:
-    """The right numbers, or those of another answer."""
+    """The right numbers, or those of another answer.
+
+    Raises:
+        LessonError: there are more of them than names, or fewer.
+    """
     values = task.answer if answer is None else answer
+    if len(values) != len(task.field["names"]):
+        raise task.exercise.place.error(
+            f"'names' are {len(task.field['names'])}, and there are {len(values)} numbers"
+        )
     return [float(v) for v in values]
 
 
