@@ -208,6 +208,21 @@ def test_a_file_that_cannot_be_read_does_not_stop_the_class(types: Any, kinlab: 
     assert kinlab("learn", "verify", str(broken)).code == 2
 
 
+def test_students_of_the_same_name_are_told_apart_by_their_files(
+    types: Any, kinlab: Any, tmp_path: Path
+) -> None:
+    types("quit")
+    kinlab("learn", "export", "-p", "ani", "-o", tmp_path / "ani.json")
+    for name in ("one", "two"):
+        (tmp_path / f"{name}.json").write_text(
+            f'{{"format": 1, "profile": "student", "seed": "{name}", "events": []}}'
+        )
+    out = kinlab("learn", "verify", *tmp_path.glob("*.json")).out
+    assert "one.json)" in out
+    assert "two.json)" in out
+    assert "ani.json)" not in out
+
+
 def test_exporting_nothing_says_so(kinlab: Any) -> None:
     run = kinlab("learn", "export", "-p", "nobody")
     assert run.code == 2

@@ -10,7 +10,7 @@ from typing import Annotated
 import typer
 
 from kinlab.cli.command import JsonOption, print_json
-from kinlab.cli.learn_options import LangOption, LessonsOption, ProfileOption, course_of, progress_of
+from kinlab.cli.learn_options import LessonsOption, ProfileOption, course_of, progress_of
 from kinlab.errors import FileError, UsageError
 from kinlab.names import suggestion
 
@@ -62,7 +62,6 @@ def verify(
     files: Annotated[
         list[Path], typer.Argument(metavar="FILE...", help="What students exported.", show_default=False)
     ],
-    lang: LangOption = None,
     lessons: LessonsOption = None,
     json: JsonOption = False,
 ) -> None:
@@ -74,7 +73,7 @@ def verify(
     from kinlab.lessons.export import Handed, read_handed
     from kinlab.lessons.verify import verify as recompute
 
-    course, _ = course_of(ctx, lang, lessons)
+    course, _ = course_of(ctx, None, lessons)
     handed: list[Handed] = []
     unread: list[str] = []
     for file in files:
