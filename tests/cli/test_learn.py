@@ -107,6 +107,11 @@ def test_the_lesson_can_be_heard(types: Any, monkeypatch: pytest.MonkeyPatch) ->
     assert types("quit").out == by_option
 
 
+def test_no_word_is_swallowed(types: Any) -> None:
+    run = types("done", "again", "selesai", "quit")
+    assert run.out.count("' is no") + run.out.count("' is none of") == 3
+
+
 def test_control_characters_are_not_obeyed(types: Any) -> None:
     run = types("\x1b]0;title\x07", "\x1b[2J12\x00", "x" * 5000, "quit")
     assert "\x1b" not in run.out

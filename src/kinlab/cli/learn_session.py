@@ -160,7 +160,7 @@ class Session:
                 return After.GO_ON
 
     def _service(self, word: str, task: Task) -> bool:
-        """What a word asks for; False where it is for the chain."""
+        """What a word asks for; False where it is for the chain, and elsewhere an answer like any other."""
         if word == "hint":
             self._hint(task)
         elif word == "question":
@@ -170,7 +170,7 @@ class Session:
             self._say("how-state" if state else "how", tries=TRIES_BEFORE_SOLUTION)
             return not state
         else:
-            return task.exercise.kind != "state"
+            return False
         return True
 
     def _answer(self, task: Task) -> Callable[[str], bool]:
