@@ -109,7 +109,7 @@ def test_the_lesson_can_be_heard(types: Any, monkeypatch: pytest.MonkeyPatch) ->
 
 def test_no_word_is_swallowed(types: Any) -> None:
     run = types("done", "again", "selesai", "quit")
-    assert run.out.count("' is no") + run.out.count("' is none of") == 3
+    assert run.out.count("' is none of the options") == 3
 
 
 def test_control_characters_are_not_obeyed(types: Any) -> None:
@@ -283,6 +283,15 @@ def test_a_new_lesson_passes_its_lint(kinlab: Any, tmp_path: Path) -> None:
     assert (run.code, run.out) == (0, "1 lesson(s), 1 exercise(s): no finding(s)\n")
 
 
+def test_lessons_of_ones_own_may_be_named_once_for_all(
+    kinlab: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("KINLAB_LESSONS", str(tmp_path / "ours"))
+    assert f"{tmp_path / 'ours'}: cannot be read" in kinlab("learn").err
+    assert str(tmp_path / "ours" / "mine" / "en.md") in kinlab("learn", "new", "mine").out
+    assert "  mine  " in kinlab("learn").out
+
+
 def test_a_lesson_is_one_document(kinlab: Any) -> None:
     found = kinlab("learn", LEG, "-p", "ani", "--json").json
     assert found["seed"] == "ani"
@@ -295,6 +304,7 @@ def test_a_lesson_is_one_document(kinlab: Any) -> None:
         (["leg-geometri"], "did you mean leg-geometry"),
         ([LEG, "--lang", "fr"], "no language is named 'fr'"),
         ([LEG, "--profile", "../x"], "no name for a profile"),
+        ([LEG, "--profile", ""], "'' is no name for a profile"),
         ([LEG, "--lessons", "/nowhere"], "/nowhere: cannot be read"),
         ([LEG, "--json", "--watch", "x"], "give one of the two"),
         (["export", "--csv", "--json"], "give one"),

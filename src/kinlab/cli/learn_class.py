@@ -152,11 +152,12 @@ def new(
     json: JsonOption = False,
 ) -> None:
     """Make a lesson from a template, in both languages."""
+    from kinlab.lessons.course import own_lessons
     from kinlab.lessons.template import new_lesson
 
     if name in ctx.parent.command.list_commands(ctx.parent):  # type: ignore[union-attr]
         raise UsageError(f"'{name}' is a command of kinlab learn: a lesson needs another name")
-    folder = lessons or ctx.obj[2] or Path("my-lessons")
+    folder = lessons or ctx.obj[2] or own_lessons() or Path("my-lessons")
     made = new_lesson(name, folder)
     if json:
         print_json({"files": [str(path) for path in made]})

@@ -14,6 +14,7 @@ from kinlab.names import resolve
 from kinlab.shipped import shipped
 
 GLOSSARY = "glossary.toml"
+VARIABLE = "KINLAB_LESSONS"
 
 
 @dataclass(frozen=True)
@@ -72,13 +73,15 @@ class Course:
 
 
 def load_course(folder: Path | None = None) -> Course:
-    """KinLab's lessons and, with `folder`, those in it; one of the same name takes the place of ours.
+    """KinLab's lessons and those in `folder` (default `$KINLAB_LESSONS`, if set).
 
-    A lesson with an error is left out and listed; the others still work. Needs no numpy.
+    One of the same name takes the place of ours. A lesson with an error is left out and listed; the others
+    still work. Needs no numpy.
 
     Raises:
         FileError: the folder cannot be read, or holds no lessons.
     """
+    folder = folder or own_lessons()
     lessons: dict[str, Lesson] = {}
     problems: list[LessonError] = []
     glossary: dict[str, Term] = {}
@@ -95,6 +98,12 @@ def load_course(folder: Path | None = None) -> Course:
                 problems.append(error)
     ordered = sorted(lessons.values(), key=lambda lesson: (lesson.order, lesson.id))
     return Course({lesson.id: lesson for lesson in ordered}, tuple(problems), glossary)
+
+
+def own_lessons() -> Path | None:
+    """The folder of lessons of one's own that `$KINLAB_LESSONS` names; None where it names none."""
+    named = os.environ.get(VARIABLE)
+    return Path(named) if named else None
 
 
 def _folders(root: Path) -> list[Path]:
