@@ -69,6 +69,11 @@ WRONG = [
         "mine/en.md:11: parameter 'beta' picks",
     ),
     (("tolerance = 0.5\n", "tolerance = -1\n"), "mine/en.md:30: 'tolerance' is a number from 0, not -1"),
+    (
+        ('robot = "xl', 'instrument = "leq"\nrobot = "xl'),
+        "mine/en.md:7: there is no instrument 'leq'; did you mean leg",
+    ),
+    (('robot = "xl430-hexapod"', 'instrument = "gait"'), "an instrument shows a 'robot', and none is named"),
     (("sign = ", "sing = "), "mine/en.md:41: 'number' has no verdict 'sing'; did you mean sign"),
     (('title = "A title that asks or promises something"', 'title = ""'), "mine/en.md:2: 'title' is empty"),
 ]
@@ -258,6 +263,7 @@ FINDINGS = [
     ((("order = 1000", "order = 1"),), (), "stands later in the course"),
     ((('prerequisites = ["leg-geometry"]', ""),), (), "uses the term 'femur'"),
     ((('robot = "xl430-hexapod"', 'robot = "xl430"'),), (), "no robot is named 'xl430'; did you mean xl430-hexapod"),
+    ((('robot = "xl430-hexapod"', 'robot = "receptionist-arm"\ninstrument = "gait"'),), (), "has no legs to walk on"),
     ((("minutes = 10\n", 'minutes = 10\nexplains = ["gayt"]\n'),), (), "explains 'gayt', which"),
     ((("{beta} degrees", "{bta} degrees"),), (), "no value is named 'bta'"),
     ((('solution = "h = {answer:.1f} mm"', 'solution = "h = {answer:.9999f} mm"'),), (), "no format"),

@@ -249,12 +249,7 @@ class Session:
         return True
 
     def _explain(self, name: str) -> None:
-        glossary = {
-            form.casefold(): term
-            for term in self.course.glossary.values()
-            for form in (term.name, *term.forms)
-        }
-        term = glossary.get(name.casefold())
+        term = self.course.term(name)
         if term is None:
             self._say(
                 "no-term",
@@ -262,8 +257,7 @@ class Session:
                 near=did_you_mean(self.sitting.language, name, self.course.glossary),
             )
             return
-        meaning = term.meanings.get(self.sitting.language, term.meanings["en"])
-        self._markdown(f"**{term.name}**: {meaning}")
+        self._markdown(f"**{term.name}**: {term.meaning(self.sitting.language)}")
 
     def _farewell(self) -> None:
         sitting, lesson = self.sitting, self.sitting.lesson

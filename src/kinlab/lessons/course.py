@@ -31,6 +31,10 @@ class Term:
     meanings: Mapping[str, str]
     forms: tuple[str, ...] = ()
 
+    def meaning(self, language: str) -> str:
+        """In that language, else in English."""
+        return self.meanings.get(language, self.meanings["en"])
+
 
 @dataclass(frozen=True)
 class Course:
@@ -58,6 +62,12 @@ class Course:
         if broken is not None and name not in self.lessons:
             raise broken
         return self.lessons[resolve(name, self.lessons, "lesson")]
+
+    def term(self, word: str) -> Term | None:
+        """The term of the glossary that a word is a form of, if there is one."""
+        folded = word.casefold()
+        every = self.glossary.values()
+        return next((t for t in every if folded in (f.casefold() for f in (t.name, *t.forms))), None)
 
     def next_for(self, progress: Progress, after: str = "") -> Lesson | None:
         """The first lesson that a student has not finished, behind `after` where there is one; None where all are."""

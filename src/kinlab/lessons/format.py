@@ -38,11 +38,15 @@ FRONT = {
     "order": Field("number"),
     "prerequisites": Field("texts"),
     "robot": Field("text"),
+    "instrument": Field("text"),
     "explains": Field("texts"),
     "params": Field("table"),
     "require": Field("call"),
     "values": Field("table"),
 }
+
+# What a lesson's robot is shown by beside its text.
+INSTRUMENTS = ("leg", "gait")
 
 FIGURE = {
     "id": Field("text", needed=True, translated=True),
