@@ -28,7 +28,7 @@ def _own_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("KINLAB_HOME", str(tmp_path / "state"))
     monkeypatch.setenv("KINLAB_LANG", "en")
     monkeypatch.setenv("TEXTUAL_ANIMATIONS", "none")
-    for name in ("KINLAB_ROBOTS", "KINLAB_ASCII", "NO_COLOR"):
+    for name in ("KINLAB_ROBOTS", "KINLAB_LESSONS", "KINLAB_ASCII", "NO_COLOR"):
         monkeypatch.delenv(name, raising=False)
 
 

@@ -9,6 +9,7 @@ from kinlab.gait.limits import assess
 from kinlab.lessons.robots import load_robot
 
 ROWS = ("1", "2", "3")
+MOST_LEGS = 100
 
 
 def duty_of(robot: str, gait: str) -> float:
@@ -27,13 +28,19 @@ def aloft(robot: str, gait: str) -> int:
 
 
 def orders(legs: int) -> int:
-    """In how many orders legs can be lifted one after the other."""
+    """In how many orders legs can be lifted one after the other.
+
+    Raises:
+        ValueError: no robot has as many.
+    """
+    if legs > MOST_LEGS:
+        raise ValueError(f"at most {MOST_LEGS} legs")
     return math.factorial(legs)
 
 
 def rounds(legs: int) -> int:
     """The same, where it does not matter with which leg one begins."""
-    return math.factorial(legs - 1)
+    return orders(legs - 1)
 
 
 def touchdown(beta: str, row: int) -> float:
