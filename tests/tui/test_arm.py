@@ -71,7 +71,7 @@ def test_a_key_or_a_click_lets_the_arm_go_on_and_holds_it(run, lab):
 def test_time_does_not_pass_in_a_lab_that_nobody_sees(run):
     async def script(pilot, station):
         await pilot.press("space")
-        pilot.app.open_station("gait")
+        await pilot.app.open_station("gait")
         await pilot.pause()
         count = len(moments(station))
         await pilot.pause(0.15)

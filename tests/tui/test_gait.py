@@ -123,12 +123,12 @@ def test_the_mouse_moves_the_cursor_of_the_diagram(run):
 def test_time_does_not_pass_on_a_stage_that_nobody_sees(run, lab):
     async def script(pilot, station):
         await pilot.press("space")
-        pilot.app.open_station("arm")
+        await pilot.app.open_station("arm")
         await pilot.pause()
         before = station.t
         await pilot.pause(0.15)
         assert station.t == before
-        pilot.app.open_station("gait")
+        await pilot.app.open_station("gait")
         await lab.until(pilot, lambda: station.t > before)
 
     run(script)
