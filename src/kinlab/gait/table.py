@@ -2,6 +2,7 @@
 
 import os
 import re
+from collections.abc import Iterable
 from fractions import Fraction
 from types import MappingProxyType
 
@@ -10,7 +11,8 @@ from kinlab.gait.schedule import Gait
 from kinlab.names import resolve
 from kinlab.robots import Robot
 from kinlab.robots.build import SpecError, provenance
-from kinlab.robots.load import documents
+from kinlab.robots.document import Document
+from kinlab.robots.load import documents, shipped_document
 from kinlab.robots.schema import GaitSpec
 
 _FRACTION = re.compile(r"\d{1,6}(/\d{1,6}|\.\d{1,12})?")
@@ -22,8 +24,17 @@ def load_gaits(file: str | os.PathLike[str] | None = None) -> dict[str, Gait]:
     Raises:
         FileError: naming file, line and field of what is wrong.
     """
+    return _gaits(documents(file))
+
+
+def shipped_gaits() -> dict[str, Gait]:
+    """KinLab's own gaits by name, whatever `$KINLAB_ROBOTS` says."""
+    return _gaits([shipped_document()])
+
+
+def _gaits(files: Iterable[Document]) -> dict[str, Gait]:
     found: dict[str, Gait] = {}
-    for document in documents(file):
+    for document in files:
         for name, data in document.tree.get("gaits", {}).items():
             place = ("gaits", name)
             spec = document.convert(data, GaitSpec, place)

@@ -4,9 +4,9 @@ import math
 from fractions import Fraction
 from functools import cache
 
-from kinlab.gait import Gait, find_gait, plan, wave_gait
+from kinlab.gait import Gait, plan, wave_gait
 from kinlab.gait.limits import assess
-from kinlab.lessons.robots import load_robot
+from kinlab.lessons.robots import find_gait, load_robot
 
 ROWS = ("1", "2", "3")
 
