@@ -15,8 +15,15 @@ SLACK = 0.01
 
 def shape(task: Task) -> str:
     """The unit, and how exact is exact enough."""
+    if _counted(task):
+        return task.say("number.whole")
     unit = task.field.get("unit", "") or task.say("number.no-unit")
     return task.say("number.shape", unit=unit, tolerance=_margin(task))
+
+
+def _counted(task: Task) -> bool:
+    """Whether the number is counted and not measured: there is nothing near it."""
+    return task.field.get("tolerance") == 0
 
 
 def _margin(task: Task) -> str:
@@ -69,7 +76,7 @@ def judge(task: Task, reply: str) -> Verdict:
     if want and fits(task, got, -want):
         return task.verdict(False, "sign")
     allowed = tolerance(task, want)
-    if abs(got - want) <= max(NEAR_TOLERANCES * allowed, NEAR_SHARE * abs(want)):
+    if not _counted(task) and abs(got - want) <= max(NEAR_TOLERANCES * allowed, NEAR_SHARE * abs(want)):
         return task.verdict(False, "near", tolerance=_margin(task))
     return task.verdict(False, "wrong")
 
