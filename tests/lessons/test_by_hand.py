@@ -112,11 +112,24 @@ def theta2(v: Values) -> float:
     return degrees(acos(v["x"] / 30))
 
 
-def landings(v: Values) -> list[str]:
+def landings(v: Values) -> dict[str, float]:
     left = {f"L{m + 1}": m * float(v["beta"]) % 1 for m in range(3)}
     right = {f"R{m + 1}": (m * float(v["beta"]) + 0.5) % 1 for m in range(3)}
-    at = left | right
-    return sorted(at, key=lambda leg: round(at[leg], 9))
+    return {leg: round(at, 9) % 1 for leg, at in (left | right).items()}
+
+
+def landing_order(v: Values) -> list[str]:
+    at = landings(v)
+    return sorted(at, key=lambda leg: at[leg])
+
+
+def mistaken_line(v: Values) -> int:
+    [wrong] = [
+        i
+        for i, (leg, at) in enumerate(landings(v).items(), 1)
+        if abs(float(v[f"line{leg}"].split()[1]) - at) > 0.006
+    ]
+    return wrong
 
 
 def margin(v: Values) -> float:
@@ -226,8 +239,19 @@ def started(v: Values) -> tuple[float, float]:
     return shoulder * v["acceleration"], m2 * (l2**2 / 3 + l1 * l2 / 2) * v["acceleration"]
 
 
-def zeta(v: Values) -> float:
+def zeta(v: Values, **other: float) -> float:
+    v = {**v, **other}
     return v["denv"] / (2 * sqrt(v["kenv"] * v["menv"]))
+
+
+def damped(v: Values) -> list[str]:
+    arms = {
+        "base": zeta(v),
+        "spring": zeta(v, kenv=v["stiffer"]),
+        "damper": zeta(v, denv=v["stronger"]),
+        "mass": zeta(v, menv=v["heavier"]),
+    }
+    return sorted(arms, key=lambda name: arms[name])
 
 
 def bend(v: Values, line: float) -> float:
@@ -320,8 +344,8 @@ BY_HAND: dict[str, Callable[[Values], Any]] = {
     "footsteps/knock": lambda v: pi * v["lift"] / v["time"],
     "footsteps/slide": lambda v: "along",
     "gaits/read": lambda v: {"tripod": 1 / 2, "ripple": 2 / 3, "tetrapod": 2 / 3, "wave": 5 / 6}[v["gait"]],
-    "gaits/touchdown": lambda v: 2 * float(v["beta"]) % 1,
-    "gaits/order": landings,
+    "gaits/table": mistaken_line,
+    "gaits/order": landing_order,
     "gaits/speed": lambda v: v["stroke"] / (v["time"] / (1 - v["beta"]) * v["beta"]),
     "margin/holding": lambda v: "tripod",
     "margin/static": margin,
@@ -371,7 +395,7 @@ BY_HAND: dict[str, Callable[[Values], Any]] = {
     "torque/starting": started,
     "compliance/steady": lambda v: degrees(v["kf"] * v["torque"] / v["kenv"]),
     "compliance/choose": lambda v: radians(v["angle"]) * v["kenv"] / v["torque"],
-    "compliance/ratio": zeta,
+    "compliance/four": damped,
     "compliance/let-go": lambda v: "swings" if zeta(v) < 1 else "creeps",
     "compliance/filter": lambda v: 16 * ceil(log(1 - v["share"] / 100) / log(1 - v["alpha"])),
     "six-joint-leg/why-six": lambda v: "six",
