@@ -2,8 +2,9 @@
 
 import os
 import re
-from collections.abc import Iterable
+from collections.abc import Mapping
 from fractions import Fraction
+from functools import cache
 from types import MappingProxyType
 
 from kinlab.errors import UsageError
@@ -24,24 +25,27 @@ def load_gaits(file: str | os.PathLike[str] | None = None) -> dict[str, Gait]:
     Raises:
         FileError: naming file, line and field of what is wrong.
     """
-    return _gaits(documents(file))
+    found = dict(shipped_gaits())
+    for document in documents(file)[1:]:
+        found |= _gaits_of(document)
+    return found
 
 
-def shipped_gaits() -> dict[str, Gait]:
-    """KinLab's own gaits by name, whatever `$KINLAB_ROBOTS` says."""
-    return _gaits([shipped_document()])
+@cache
+def shipped_gaits() -> Mapping[str, Gait]:
+    """KinLab's own gaits by name, whatever `$KINLAB_ROBOTS` says; built once, as nothing can change them."""
+    return MappingProxyType(_gaits_of(shipped_document()))
 
 
-def _gaits(files: Iterable[Document]) -> dict[str, Gait]:
-    found: dict[str, Gait] = {}
-    for document in files:
-        for name, data in document.tree.get("gaits", {}).items():
-            place = ("gaits", name)
-            spec = document.convert(data, GaitSpec, place)
-            try:
-                found[name] = build_gait(name, spec)
-            except SpecError as error:
-                raise document.error((*place, *error.place), str(error)) from None
+def _gaits_of(document: Document) -> dict[str, Gait]:
+    found = {}
+    for name, data in document.tree.get("gaits", {}).items():
+        place = ("gaits", name)
+        spec = document.convert(data, GaitSpec, place)
+        try:
+            found[name] = build_gait(name, spec)
+        except SpecError as error:
+            raise document.error((*place, *error.place), str(error)) from None
     return found
 
 

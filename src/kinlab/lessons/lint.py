@@ -86,12 +86,19 @@ def _prerequisites(course: Course, lesson: Lesson) -> Iterator[Finding]:
         elif before.order >= lesson.order:
             yield Finding(place, f"prerequisite '{name}' stands later in the course (order {before.order:g})")
     if lesson.robot:
+        from kinlab.gait import find_gait
+        from kinlab.lessons.robots import load_robot
         from kinlab.robots import robot_names
 
         if lesson.robot not in robot_names():
             yield Finding(
                 place, f"no robot is named '{lesson.robot}'{suggestion(lesson.robot, robot_names())}"
             )
+        elif lesson.instrument == "gait":
+            try:
+                find_gait(load_robot(lesson.robot))
+            except KinlabError as error:
+                yield Finding(place, f"the instrument is a gait: {error}")
 
 
 def _all_before(course: Course, name: str) -> set[str]:

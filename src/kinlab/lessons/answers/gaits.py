@@ -8,6 +8,7 @@ from kinlab.gait import Gait, plan, wave_gait
 from kinlab.gait.limits import assess
 from kinlab.lessons.robots import find_gait, load_robot
 
+MOST_LEGS = 100
 # In the order in which `wave_gait` names them: from the front, on the left and on the right.
 LEGS = ("L1", "R1", "L2", "R2", "L3", "R3")
 
@@ -28,13 +29,19 @@ def aloft(robot: str, gait: str) -> int:
 
 
 def orders(legs: int) -> int:
-    """In how many orders legs can be lifted one after the other."""
+    """In how many orders legs can be lifted one after the other.
+
+    Raises:
+        ValueError: no robot has as many.
+    """
+    if legs > MOST_LEGS:
+        raise ValueError(f"at most {MOST_LEGS} legs")
     return math.factorial(legs)
 
 
 def rounds(legs: int) -> int:
     """The same, where it does not matter with which leg one begins."""
-    return math.factorial(legs - 1)
+    return orders(legs - 1)
 
 
 def landing(beta: str, leg: str) -> float:

@@ -67,7 +67,13 @@ def clear(kenv: float, denv: float, menv: float) -> bool:
 
 
 def cycles(alpha: float, share: float) -> float:
-    """After how many cycles the filtered torque has come to `share` per cent of a torque that begins and stays."""
+    """After how many cycles the filtered torque has come to `share` per cent of a torque that begins and stays.
+
+    Raises:
+        ValueError: it never does, or not within a lesson's time.
+    """
+    if not (0.001 <= alpha <= 1 and share < 100):
+        raise ValueError("a filter comes to less than 100 %, and alpha is a number from 0.001 to 1")
     value, count = np.zeros(()), 0
     while value < share / 100:
         value, count = low_pass(value, 1.0, alpha), count + 1
