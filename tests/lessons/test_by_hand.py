@@ -210,8 +210,10 @@ def softened(v: Values) -> str:
 
 
 def heard(v: Values) -> str:
-    if v["heard"] in ("-", shown(v["sent"])):
-        return "silence" if v["heard"] == "-" else "echo"
+    if v["heard"] == "-":
+        return "silence"
+    if v["heard"].startswith(shown(v["sent"])):
+        return "echo"
     return ERRORS[int(v["heard"].split()[4], 16)]
 
 
