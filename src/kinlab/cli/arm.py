@@ -104,14 +104,14 @@ def _track(
     from kinlab.rig.arm import Settings
     from kinlab.rig.arm.trace import script
 
-    if law.casefold() == "compliance":
+    settings = Settings(law, PositionGains(kp, kv), running_sum=summed)
+    if settings.law == "compliance":
         raise UsageError("compliance is what `kinlab arm comply` is for")
     for file in filter(None, (csv, trace)):
         check_writable(file)
     check_rrd(rrd, force)
     machine, arm = arm_of(robots, limb)
     path = line_of(arm, profile, start, end, seconds)
-    settings = Settings(law, PositionGains(kp, kv), running_sum=summed)
     setup = setup_of(slope, margin, punch, torque_limit, speed_limit, real)
     with watching(live, real is not None) as tell:
         record = record_of(machine, arm, path, settings, setup, (), real, baud, tell, drop)
