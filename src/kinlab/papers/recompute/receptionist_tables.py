@@ -147,9 +147,11 @@ def load_bits() -> Iterator[Finding]:
     """Table 2.5: ten bits of load, one of direction, and zeros in a register of sixteen."""
     register = SERVO.find("present_load")
     direction = BIT10.bit_length() - 1
-    for row, cells in printed_table(NAME, "2.5").rows.items():
-        kind, _, number = row.partition(" ")
-        own = {"zero": 8 * register.size - 1, "direction": direction, "load": int(number or 0)}[kind]
+    rows = printed_table(NAME, "2.5").rows
+    places = {row: direction - k for k, row in enumerate(list(rows)[1:])}
+    for row, cells in rows.items():
+        kind = row.partition(" ")[0]
+        own = places.get(row, 8 * register.size - 1)
         line = {
             "zero": f"{register.size} bytes = {8 * register.size} bits, the highest is {8 * register.size - 1}",
             "direction": f"RX-24F: {BIT10} = 2^{direction} is the direction",
