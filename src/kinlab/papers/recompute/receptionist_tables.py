@@ -13,8 +13,8 @@ SERVO = load_table("RX-24F")
 CLOCK = 2_000_000
 # Where the AX-12's manual of 2006-06-14, section 3-4, differs from the RX-24F, by address.
 AX_12_OF_2006 = {0: 12, 4: 1, 11: 85, 17: 4, 18: 4, 26: 0, 27: 0}
-# The same manual of the reserved bytes, of which the RX-24F's sheet says nothing.
-RESERVED = {10: 0, 19: 0, 45: 0}
+# The same manual where the RX-24F's sheet says nothing: of the reserved bytes and of the moving speed.
+AX_12_ALONE = {10: 0, 19: 0, 32: 0, 33: 0, 45: 0}
 # From bit 7 to bit 0: ATmega128 data sheet, USART registers.
 UCSRB = ("RXCIE", "TXCIE", "UDRIE", "RXEN", "TXEN", "UCSZ2", "RXB8", "TXB8")
 UCSRA = ("RXC", "TXC", "UDRE", "FE", "DOR", "PE", "U2X", "MPCM")
@@ -52,8 +52,8 @@ def control_table() -> Iterator[Finding]:
                 yield JUDGE.cell(cell, address, line, remark=_name_of(address))
             elif column == "hex":
                 yield _hex(cell, address)
-            elif column == "initial" and address in RESERVED:
-                own = RESERVED[address]
+            elif column == "initial" and address in AX_12_ALONE:
+                own = AX_12_ALONE[address]
                 line = f"AX-12, in its manual of 2006: {own}; the RX-24F's sheet has nothing"
                 yield JUDGE.cell(cell, own, line)
             elif column == "initial":
