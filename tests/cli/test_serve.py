@@ -91,7 +91,7 @@ def test_a_port_that_is_taken_is_named(kinlab):
 @pytest.mark.parametrize(
     ("args", "text"),
     [
-        (["--host", ""], "0.0.0.0 for everybody"),
+        (["--host", "", "--sessions", 0], "0.0.0.0 for everybody"),
         (["--sessions", 0], "from 1 on"),
         (["--port", 65536], "0 to 65535"),
         (["--port", -1], "0 to 65535"),
