@@ -142,6 +142,23 @@ def test_every_pose_that_gets_there_passes_unless_a_joint_cannot_turn_so_far(sam
     assert said(samples, "joints", "7.94347 26.01406 257.95584").code == "limit"
 
 
+def test_angles_are_right_a_whole_turn_further(samples: Course) -> None:
+    task = Task.of(samples.lesson("elbow"), "mirror", "ani")
+    first, second = task.answer
+    assert judge(task, f"{first:.2f} {second:.2f}").ok
+    assert judge(task, f"{first + 360:.2f}° {second - 360:.2f}°").ok
+    assert judge(task, f"{first:.2f} {second + 180:.2f}").code == "partly"
+
+
+def test_what_has_to_be_exact_says_so(samples: Course) -> None:
+    task = Task.of(samples.lesson("control-tables"), "address", "student-1")
+    assert kind_of(task).shape(task) == "A number (no unit), exactly."
+    assert judge(task, f"{task.answer}").ok
+    big = Task(task.lesson, task.exercise, task.seed, "id", task.shared)
+    big.__dict__["answer"] = 50
+    assert judge(big, "51").message == "Sudah dekat, tetapi di sini harus tepat. Hitung sekali lagi."
+
+
 def test_the_lesson_speaks_the_students_language(samples: Course) -> None:
     assert said(samples, "number", "-172", "id").message == "(id) There is no minus in 86."
     assert "mm dari sasaran" in said(samples, "joints", "60 60 60", "id").message

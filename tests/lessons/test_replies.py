@@ -39,6 +39,13 @@ from kinlab.lessons.replies import Quantity, UnreadableError, clean, factor, num
         ("12\r\n", 12.0, ""),
         ("(12)", 12.0, ""),
         ("12.", 12.0, ""),
+        ('"12,5"', 12.5, ""),
+        ("3 newtons", 3.0, "N"),
+        ("0.3 Newton meter", 0.3, "Nm"),
+        ("12,5 sentimeter", 12.5, "cm"),
+        ("30 derajat/detik", 30.0, "deg/s"),
+        ("30 deg/sec", 30.0, "deg/s"),
+        ("2 MBit/s", 2.0, "Mbps"),
     ],
 )
 def test_a_number_is_read_in_every_usual_spelling(typed: str, value: float, unit: str) -> None:
@@ -81,6 +88,8 @@ def test_one_unit_stands_for_all() -> None:
         ("1e999", 1, "no-number"),
         ("twelve", 1, "no-number"),
         ("12 apples", 1, "unit-unknown"),
+        ("12 deg/apple", 1, "unit-unknown"),
+        ("12 ks", 1, "unit-unknown"),
         ("1 2", 1, "count"),
         ("1 2", 3, "count"),
         ("1/0", 1, "no-number"),

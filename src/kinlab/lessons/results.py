@@ -1,8 +1,9 @@
 """What an answer function gives where a number, a list, bytes or a name does not say enough."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from numbers import Integral, Real
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -101,3 +102,24 @@ class Goal:
     baud: int = 1_000_000
     forbidden: tuple[str, ...] = ()
     as_real: bool = False
+
+
+def _number(value: Any) -> bool:
+    return isinstance(value, Real) and bool(np.isfinite(float(value)))
+
+
+def _all(value: Any, each: Callable[[Any], bool]) -> bool:
+    return isinstance(value, list | tuple | np.ndarray) and all(map(each, value))
+
+
+# What an answer function gives, by the kind of exercise: in words, and whether a value is that.
+GIVES: Mapping[str, tuple[str, Callable[[Any], bool]]] = {
+    "number": ("a number", _number),
+    "vector": ("a list of numbers", lambda value: _all(value, _number)),
+    "joints": ("a Reach", lambda value: isinstance(value, Reach) or _all(value, _number)),
+    "bytes": ("bytes", lambda value: isinstance(value, bytes | bytearray)),
+    "order": ("a list of keys", lambda value: _all(value, lambda key: isinstance(key, str))),
+    "choice": ("the key of an option", lambda value: isinstance(value, str)),
+    "mistake": ("the number of a line", lambda value: isinstance(value, Integral)),
+    "state": ("a Goal", lambda value: isinstance(value, Goal)),
+}

@@ -49,9 +49,9 @@ def angles_deg(task: Task, reply: str) -> list[float]:
 
 def _reach(task: Task) -> Reach:
     reach = task.answer
-    if not isinstance(reach, Reach):
+    if not isinstance(reach, Reach) or len(reach.solution_deg) != len(task.field["names"]):
         raise task.exercise.answer.place.error(
-            f"{task.exercise.answer.name} gives no Reach, which an exercise of the kind 'joints' needs"
+            f"{task.exercise.answer.name} gives no Reach of {len(task.field['names'])} joints, as 'names' has them"
         )
     return reach
 

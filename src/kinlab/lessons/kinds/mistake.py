@@ -29,7 +29,7 @@ def wrong(task: Task) -> Sequence[str]:
 
 
 def _want(task: Task) -> int:
-    want = int(task.answer)
+    want: int = task.answer
     if not 1 <= want <= len(task.field["lines"]):
         raise task.exercise.answer.place.error(
             f"{task.exercise.answer.name} gives line {want}, and there are {len(task.field['lines'])}"
