@@ -88,6 +88,18 @@ def test_a_session_without_an_origin_is_refused(serve):
     serve(script)
 
 
+def test_what_is_no_http_is_turned_away_without_a_word(serve, caplog):
+    async def script(served):
+        for nonsense in (b"\x16\x03\x01\x02\x00\r\n\r\n", b"GET /" + b"a" * 20_000 + b" HTTP/1.1\r\n\r\n"):
+            reader, writer = await asyncio.open_connection("127.0.0.1", served.port)
+            writer.write(nonsense)
+            assert b" 400 " in await reader.readline()
+            writer.close()
+
+    serve(script)
+    assert not caplog.records
+
+
 def test_what_a_foreign_name_says_is_shown_as_text(serve):
     async def script(served):
         _, text = await served.ask(Host="<script>alert(1)</script>")

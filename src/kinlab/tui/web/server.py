@@ -1,6 +1,7 @@
 """The server of `kinlab serve`: a page, and behind it a process for each visitor."""
 
 import asyncio
+import logging
 import re
 import secrets
 import signal
@@ -11,6 +12,7 @@ from pathlib import Path
 from string import Template
 
 from aiohttp import WSCloseCode, web
+from aiohttp.http_exceptions import HttpProcessingError
 from textual_serve.server import Server, to_int
 
 from kinlab.errors import KinlabError
@@ -31,6 +33,10 @@ HEADERS = {
     "X-Content-Type-Options": "nosniff",
     "Cache-Control": "no-cache",
 }
+
+LOG = logging.getLogger(__name__)
+# What is no HTTP (a browser that tries https, somebody who scans for servers) is no failure of this one.
+LOG.addFilter(lambda line: not (line.exc_info and isinstance(line.exc_info[1], HttpProcessingError)))
 
 Handler = Callable[[web.Request], Awaitable[web.StreamResponse]]
 
@@ -79,7 +85,7 @@ class LabServer(Server):
         Raises:
             KinlabError: the port cannot be had.
         """
-        runner = web.AppRunner(await self._make_app(), shutdown_timeout=2 * PATIENCE)
+        runner = web.AppRunner(await self._make_app(), logger=LOG, shutdown_timeout=2 * PATIENCE)
         await runner.setup()
         try:
             site = web.TCPSite(runner, self.host, self.port)
