@@ -183,6 +183,11 @@ class LabServer(Server):
 
     # Sessions.
 
+    def _report(self, key: str, visitor: str, **values: object) -> None:
+        # Half of a name: whoever reads all of it over a shoulder could come under it.
+        places = {"count": len(self.sessions), "places": self._places}
+        self._tell(self._say(key, visitor=visitor[:8], **places, **values))
+
     async def handle_websocket(self, request: web.Request) -> web.WebSocketResponse:
         """A session, from the first byte to the last."""
         visitor = _visitor(request)
@@ -197,7 +202,7 @@ class LabServer(Server):
         _remember(socket, visitor)
         session = Session(self._words, visitor, self._folders / visitor, socket)
         self.sessions.append(session)
-        self._tell(self._say("begins", count=len(self.sessions), places=self._places, visitor=visitor))
+        self._report("begins", visitor)
         try:
             await socket.prepare(request)
             query = request.query
@@ -205,7 +210,7 @@ class LabServer(Server):
             try:
                 await session.start(*size)
             except OSError as error:
-                self._tell(self._say("fails", visitor=visitor, cause=error.strerror or error))
+                self._report("fails", visitor, cause=error.strerror or error)
             else:
                 await session.attend()
         finally:
@@ -215,7 +220,7 @@ class LabServer(Server):
             finally:
                 self.sessions.remove(session)
                 session.over.set()
-            self._tell(self._say("ends", count=len(self.sessions), places=self._places, visitor=visitor))
+            self._report("ends", visitor)
         return socket
 
 
