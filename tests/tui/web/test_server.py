@@ -3,6 +3,7 @@
 import asyncio
 import json
 import sys
+from contextlib import suppress
 
 import aiohttp
 import numpy as np
@@ -116,9 +117,7 @@ def test_beyond_the_limit_a_page_says_so_and_the_next_one_finds_the_place_free(s
             assert status == 503
             assert "All places are taken" in text
             assert await served.knock() == 503
-        async with asyncio.timeout(60):
-            while served.server.sessions:
-                await asyncio.sleep(0.01)
+        await served.until_empty()
         assert (await served.ask())[0] == 200
 
     serve(script, places=1)
@@ -199,9 +198,7 @@ def test_a_program_that_cannot_be_started_is_told_and_the_place_is_free_again(se
         async with served.visit("0123456789abcdef01234567") as visitor:
             await visitor.until_closed()
         assert "a session cannot begin: No such file or directory (01234567)" in served.told
-        async with asyncio.timeout(60):
-            while served.server.sessions:
-                await asyncio.sleep(0.01)
+        await served.until_empty()
 
     serve(script)
     assert not caplog.records
@@ -303,9 +300,24 @@ def test_a_program_that_does_not_go_is_ended_by_force_and_holds_its_place_until_
                     await asyncio.sleep(0.01)
             (session,) = served.server.sessions
             assert not visitor.line.closed
-        async with asyncio.timeout(60):
-            while served.server.sessions:
-                await asyncio.sleep(0.01)
+        await served.until_empty()
         assert session._process.returncode is not None
+
+    serve(script)
+
+
+def test_a_program_that_takes_in_nothing_does_not_hold_its_place_for_ever(serve, monkeypatch):
+    monkeypatch.setattr("kinlab.tui.web.session.PATIENCE", 0.2)
+    monkeypatch.setattr("kinlab.tui.web.session.DEAF", 0.2)
+
+    async def script(served):
+        deaf = "import time; print('__GANGLION__', flush=True)\nwhile True: time.sleep(1)"
+        served.server._words = (sys.executable, "-c", deaf)
+        async with served.visit() as visitor:
+            with suppress(ConnectionError):
+                for _ in range(6):  # more than a pipe holds
+                    await visitor.type("x" * 50_000)
+            await visitor.until_closed()
+        await served.until_empty()
 
     serve(script)
