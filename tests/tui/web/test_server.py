@@ -137,6 +137,22 @@ def test_a_page_loaded_anew_takes_the_place_of_its_former_self(serve):
     serve(script, places=1)
 
 
+def test_a_page_loaded_anew_leaves_the_visitors_other_pages_alone(serve):
+    cookie = "0123456789abcdef01234567"
+
+    async def script(served):
+        async with served.visit(cookie) as other:
+            await other.see("at home")
+            async with served.visit(cookie) as first:
+                await first.see("at home")
+            async with served.visit(cookie) as second:
+                await second.see("at home")
+            await other.type("still here")
+            await other.see("still here")
+
+    serve(script)
+
+
 def test_each_visitor_has_a_folder_and_the_same_browser_finds_it_again(serve):
     async def script(served):
         async with served.visit() as one, served.visit("0123456789abcdef01234567") as two:

@@ -193,9 +193,10 @@ class LabServer(Server):
         visitor = _visitor(request)
         while len(self.sessions) >= self._places:
             # A page that is loaded anew takes the place of its former self, once that has left it.
-            former = next((s for s in self.sessions if s.visitor == visitor), None)
-            if former is None:
+            own = [session for session in self.sessions if session.visitor == visitor]
+            if not own:
                 raise web.HTTPServiceUnavailable(text=self._say("full.title"))
+            former = next((session for session in own if session.socket.closed), own[0])
             await former.socket.close()
             await former.over.wait()
         socket = web.WebSocketResponse(heartbeat=15, timeout=PATIENCE, max_msg_size=1 << 20)
