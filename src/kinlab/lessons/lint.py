@@ -10,7 +10,7 @@ from kinlab.errors import KinlabError
 from kinlab.language import LANGUAGES
 from kinlab.lessons import lint_texts
 from kinlab.lessons.course import Course
-from kinlab.lessons.kinds import judge, kind_of
+from kinlab.lessons.kinds import judge, kind_of, rehearse
 from kinlab.lessons.lesson import Exercise, Lesson, LessonError, Place
 from kinlab.lessons.parameters import exercise_values, lesson_values
 from kinlab.lessons.registry import evaluate, find
@@ -162,7 +162,7 @@ def _exercise(lesson: Lesson, exercise: Exercise, shared: list[dict[str, Any]]) 
     for i in range(judged):
         seed = f"seed-{i}"
         for code in lesson.languages:
-            _texts(Task(lesson, exercise, seed, code, shared[i]))
+            rehearse(Task(lesson, exercise, seed, code, shared[i]))
         task = Task(lesson, exercise, seed, lesson.languages[i % len(lesson.languages)], shared[i])
         complaint = _judged(task, slips)
         if complaint:
@@ -197,20 +197,6 @@ def _with_answer(task: Task, answer: Any) -> Task:
     other = Task(task.lesson, task.exercise, task.seed, task.language, task.shared)
     other.__dict__["answer"] = answer
     return other
-
-
-def _texts(task: Task) -> None:
-    """Fill every text of an exercise once.
-
-    Raises:
-        LessonError: a placeholder has no value.
-    """
-    _ = task.ask, task.hints, task.solution
-    kind_of(task).shape(task)
-    wording = task.wording
-    for texts in (wording.feedback.values(), wording.slips, wording.why.values()):
-        for text in texts:
-            task.text(text)
 
 
 def _shown(lesson: Lesson, seed: str, language: str) -> Iterator[Finding]:
