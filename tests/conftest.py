@@ -1,7 +1,10 @@
 """Every run draws the same examples: a test that fails here fails everywhere."""
 
 import signal
+import time
+from collections.abc import Callable
 
+import pytest
 from hypothesis import settings
 
 settings.register_profile("kinlab", derandomize=True, deadline=None)
@@ -11,3 +14,18 @@ settings.load_profile("kinlab")
 signal.signal(signal.SIGINT, signal.default_int_handler)
 if hasattr(signal, "SIGHUP"):
     signal.signal(signal.SIGHUP, signal.SIG_DFL)
+
+PATIENCE = 60.0  # s that a busy machine may take to start a program, or to let it answer
+
+
+@pytest.fixture
+def eventually() -> Callable[[Callable[[], object]], None]:
+    """`eventually(holds)` comes back when that holds, and fails if it never does."""
+
+    def wait(holds: Callable[[], object]) -> None:
+        end = time.monotonic() + PATIENCE
+        while not holds():
+            assert time.monotonic() < end, "waited in vain"
+            time.sleep(0.01)
+
+    return wait

@@ -180,7 +180,7 @@ class Terminal:
         os.close(slave)
 
     def until(self, text):
-        seen, end = "", time.monotonic() + 20
+        seen, end = "", time.monotonic() + 60
         while text not in seen and time.monotonic() < end:
             if select.select([self.master], [], [], 0.2)[0]:
                 try:
@@ -194,7 +194,7 @@ class Terminal:
         os.write(self.master, keys.encode())
 
     def ends(self):
-        code = self.process.wait(20)
+        code = self.process.wait(60)
         os.close(self.master)
         return code
 

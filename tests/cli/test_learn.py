@@ -353,6 +353,6 @@ def test_a_watched_file_is_checked_when_it_is_saved(tmp_path: Path) -> None:
         time.sleep(0.05)
         sheet.write_text(filled)
         rest = process.stdout.read()
-        assert process.wait(30) == 0
+        assert process.wait(60) == 0
     count = len(sitting.tasks)
     assert f"{count} of {count} exercise(s) solved by yourself" in " ".join(rest.split())

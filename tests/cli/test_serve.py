@@ -8,11 +8,13 @@ import subprocess
 import sys
 import urllib.error
 import urllib.request
+from urllib.parse import urlsplit
 
 import pytest
 
 from kinlab.cli.serve import _address, _warn
 from kinlab.shipped import install_line
+from kinlab.tui.web.gate import Gate
 
 
 @pytest.fixture
@@ -89,6 +91,7 @@ def test_a_port_that_is_taken_is_named(kinlab):
 @pytest.mark.parametrize(
     ("args", "text"),
     [
+        (["--host", ""], "0.0.0.0 for everybody"),
         (["--sessions", 0], "from 1 on"),
         (["--port", 65536], "0 to 65535"),
         (["--port", -1], "0 to 65535"),
@@ -102,10 +105,13 @@ def test_what_cannot_be_is_refused(kinlab, args, text):
     assert text in run.err
 
 
-def test_an_address_that_is_not_here_is_told(kinlab):
-    run = kinlab("serve", "--host", "203.0.113.7", "--port", 0)
+@pytest.mark.parametrize(
+    ("host", "text"), [("203.0.113.7", "cannot listen on 203.0.113.7"), ("a..b", "a..b is no address")]
+)
+def test_an_address_that_is_not_here_is_told(kinlab, host, text):
+    run = kinlab("serve", "--host", host, "--port", 0)
     assert run.code == 1
-    assert "cannot listen on 203.0.113.7" in run.err
+    assert text in run.err
 
 
 def test_an_open_address_says_what_it_exposes(capsys):
@@ -120,7 +126,13 @@ def test_an_open_address_says_what_it_exposes(capsys):
 def test_an_address_can_be_typed_into_a_browser():
     assert _address("127.0.0.1", 8000) == "http://127.0.0.1:8000"
     assert _address("::1", 8000) == "http://[::1]:8000"
-    assert socket.gethostname() in _address("0.0.0.0", 8000)
+    # For everybody: the machine's number in its network, or its name where it is in none.
+    number = urlsplit(_address("0.0.0.0", 8000)).hostname
+    assert Gate.of("0.0.0.0").objection(f"{number}:8000", None, needs_origin=False) == ""
+    if number != socket.gethostname().casefold():
+        with socket.socket() as mine:
+            mine.bind((number, 0))  # It is this machine's own.
+        assert number not in ("0.0.0.0", "127.0.0.1")
 
 
 def test_where_it_is_as_json(started, tmp_path):

@@ -5,7 +5,6 @@ import re
 import socket
 import subprocess
 import sys
-import time
 from urllib.request import urlopen
 
 import numpy as np
@@ -130,26 +129,33 @@ def test_a_mirror_needs_a_viewer_on_this_machine():
 
 # rerun's listener does not finish its file when it is stopped.
 @pytest.mark.filterwarnings("ignore:RRD file has no footer")
-def test_a_mirror_shows_every_pose_that_it_is_told(home, tmp_path, read_file):
+def test_a_mirror_shows_every_pose_that_it_is_told(home, tmp_path, read_file, eventually):
     robot, port, path = load_robot("krsri-hexapod"), free_port(), tmp_path / "live.rrd"
     options = ["--save", path, "--bind", LOOPBACK, "--port", str(port)]
     listener = subprocess.Popen([program(), *options], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     try:
-        while True:
-            try:
-                socket.create_connection((LOOPBACK, port)).close()
-                break
-            except OSError:
-                time.sleep(0.05)
+
+        def listens():
+            assert listener.poll() is None, "the listener has ended"
+            with socket.socket() as caller:
+                return caller.connect_ex((LOOPBACK, port)) == 0
+
+        eventually(listens)
         bent = [0.1, 0.4, -1.2]
         body = np.eye(4)
         body[:3, 3] = 0.01, 0.02, 0.1
         with Mirror(robot, f"{LOOPBACK}:{port}") as mirror:
             mirror.show({"R2": bent}, t=1.0)
             mirror.show({"R2": [np.nan, 0.5, -1.2]}, body, t=2.0)
-        size = -1
-        while size != (size := path.stat().st_size) or size < 10_000:
-            time.sleep(0.2)
+
+        def arrived():
+            try:
+                femur = read_file(path).columns["/world/body/R2/coxa/femur"]
+            except (RuntimeError, ValueError, KeyError):
+                return False  # Not all of it is written.
+            return len(femur["translation"]) == 3
+
+        eventually(arrived)
     finally:
         listener.terminate()
         listener.wait()

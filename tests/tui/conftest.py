@@ -1,10 +1,11 @@
 """The laboratory without a terminal: opened at a size, driven by keys and mouse, looked at as rows of text."""
 
 import asyncio
+import gc
 import html
 import os
 import re
-from collections.abc import Awaitable, Callable
+from collections.abc import Awaitable, Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -23,13 +24,16 @@ Script = Callable[[Pilot[None]], Awaitable[Any]]
 
 
 @pytest.fixture(autouse=True)
-def _own_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def _own_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     """Nothing that a person keeps is read or written, and what is seen does not depend on who runs the tests."""
     monkeypatch.setenv("KINLAB_HOME", str(tmp_path / "state"))
     monkeypatch.setenv("KINLAB_LANG", "en")
     monkeypatch.setenv("TEXTUAL_ANIMATIONS", "none")
     for name in ("KINLAB_ROBOTS", "KINLAB_LESSONS", "KINLAB_ASCII", "NO_COLOR"):
         monkeypatch.delenv(name, raising=False)
+    yield
+    # An application keeps what it has brought for good; here it was one of many.
+    gc.unfreeze()
 
 
 class Lab:
@@ -49,6 +53,13 @@ class Lab:
 
         asyncio.run(run())
         return app
+
+    @staticmethod
+    async def until(pilot: Pilot[None], holds: Callable[[], object]) -> None:
+        """Wait until that holds: how soon a timer comes, or a search ends, depends on the machine."""
+        async with asyncio.timeout(60):
+            while not holds():
+                await pilot.pause(0.02)
 
     @staticmethod
     def rows(app: KinlabApp) -> list[str]:

@@ -44,11 +44,10 @@ def go_on(station, seconds):
 # Time.
 
 
-def test_a_key_or_a_click_lets_the_arm_go_on_and_holds_it(run):
+def test_a_key_or_a_click_lets_the_arm_go_on_and_holds_it(run, lab):
     async def script(pilot, station):
         await pilot.press("space")
-        await pilot.pause(0.2)
-        assert moments(station)
+        await lab.until(pilot, lambda: moments(station))
         assert str(station.query_one("#play", Button).label) == "pause"
         await pilot.press("space")
         count = len(moments(station))
@@ -72,7 +71,7 @@ def test_a_key_or_a_click_lets_the_arm_go_on_and_holds_it(run):
 def test_time_does_not_pass_in_a_lab_that_nobody_sees(run):
     async def script(pilot, station):
         await pilot.press("space")
-        pilot.app.open_station("gait")
+        await pilot.app.open_station("gait")
         await pilot.pause()
         count = len(moments(station))
         await pilot.pause(0.15)
@@ -237,8 +236,7 @@ def test_an_arm_that_runs_away_is_stopped_says_so_and_can_be_put_back(run, lab):
         await pilot.press("g", "r")
         assert message(station).kind == "note"
         await pilot.press("space")
-        await pilot.pause(0.1)
-        assert moments(station)
+        await lab.until(pilot, lambda: moments(station))
         assert moments(station)[-1].t < 4
 
     run(script)

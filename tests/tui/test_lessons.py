@@ -232,7 +232,7 @@ def test_lines_go_to_the_chain_of_the_exercise_until_its_state_is_reached(take, 
         await press(pilot, "enter")
         assert station.seat.task is None
 
-    take(script, "protocol-1", 5)
+    take(script, "protocol-1", 6)
 
 
 def test_a_bus_that_is_talked_to_as_a_real_one_shows_the_wire_alone(take):

@@ -180,6 +180,17 @@ def test_arrows_move_the_tip_in_the_view_from_the_top_when_it_has_the_focus(run)
     run(script)
 
 
+def test_a_view_shows_that_it_has_the_focus(run):
+    async def script(pilot, station):
+        picture = station.query(Picture).first()
+        for focused in (True, False):
+            station.set_focus(picture if focused else None)
+            await pilot.pause()
+            assert bool(next(iter(picture.render_line(0))).style.reverse) is focused
+
+    run(script)
+
+
 def test_f7_begins_at_angles_and_back_at_the_place_where_they_led(run):
     async def script(pilot, station):
         await pilot.press("f7")

@@ -1,5 +1,7 @@
 """The straight line of the arm paper's experiments by resolved motion rate control, with its misprint and without."""
 
+from functools import lru_cache
+
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -55,6 +57,7 @@ def line(
     return follow(limb.axes, limb.links, found.q[0], points, CYCLE)
 
 
+@lru_cache(maxsize=4)
 def there_and_back(limb: Limb, profile: str = "quintic", rest: float = REST) -> Track:
     """The experiment's line and back, with a rest of `rest` seconds at each end: a track that ends where it begins."""
     points = line(limb, profile).points

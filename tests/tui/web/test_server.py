@@ -4,12 +4,19 @@ import asyncio
 import json
 import sys
 
+import aiohttp
 import numpy as np
 import pytest
+from aiohttp import web
+from textual.driver import Driver
+from textual.events import Key, Resize
+from textual.geometry import Size
 
 from kinlab import load_robot
+from kinlab.canvas import without_braille
 from kinlab.tui.stations import STATIONS
-from kinlab.tui.web.session import LARGEST, SMALLEST, fitting
+from kinlab.tui.web.driver import GuestDriver
+from kinlab.tui.web.session import LARGEST, SMALLEST, Session, fitting
 
 
 def test_a_visitor_types_a_target_and_reads_the_angles(serve):
@@ -24,7 +31,10 @@ def test_a_visitor_types_a_target_and_reads_the_angles(serve):
             await visitor.type("\x05\x15")
             await visitor.see("A number is wanted here")
             await visitor.type("80")
-            await visitor.see("x 80", *(f"{angle:.3f}".rstrip("0") for angle in wanted))
+            seen = await visitor.see("x 80", *(f"{angle:.3f}".rstrip("0") for angle in wanted))
+            # The line of keys names none that the browser keeps for itself.
+            assert "^p commands" in seen
+            assert "^n" not in seen
             await visitor.type("\x11")
             await visitor.until_closed()
         (folder,) = served.folders.iterdir()
@@ -46,7 +56,8 @@ def test_a_session_reaches_no_serial_port_and_no_file_of_the_machine(serve, tmp_
             await visitor.see("give a plain name")
             # Lines that come in one piece are carried out one by one.
             await visitor.type("ping 1\rping 2\rsave mine\r")
-            await visitor.see("saved to")
+            # Where that is on the machine is no guest's business.
+            await visitor.see("saved to mine")
         (folder,) = served.folders.iterdir()
         assert (folder / "files" / "mine").read_text().splitlines()[-2:] == ["ping 1", "ping 2"]
 
@@ -157,12 +168,28 @@ def test_an_end_lets_every_session_leave_in_order(serve):
 
 def test_a_program_that_fails_ends_the_session_and_not_the_server(serve, capfd):
     async def script(served):
-        served.server._words = ("false",)
+        served.server._words = (sys.executable, "-c", "import sys; sys.exit('broken')")
         async with served.visit() as visitor:
             await visitor.until_closed()
         assert (await served.ask())[0] == 200
 
     serve(script)
+    # Standard output is the server's own, which may be a JSON document.
+    assert capfd.readouterr() == ("", "broken\n")
+
+
+def test_a_program_that_cannot_be_started_is_told_and_the_place_is_free_again(serve, caplog):
+    async def script(served):
+        served.server._words = ("/no/such/program",)
+        async with served.visit("0123456789abcdef01234567") as visitor:
+            await visitor.until_closed()
+        assert "a session cannot begin: No such file or directory (0123456789abcdef01234567)" in served.told
+        async with asyncio.timeout(60):
+            while served.server.sessions:
+                await asyncio.sleep(0.01)
+
+    serve(script)
+    assert not caplog.records
 
 
 def test_what_is_no_message_is_passed_over(serve):
@@ -195,6 +222,37 @@ def test_a_screen_has_a_size_that_a_screen_may_have():
     assert fitting(80, 24) == (80, 24)
 
 
+def test_the_size_of_a_screen_comes_from_the_server_alone(monkeypatch):
+    """Terminals may tell their size among the keys as well; from a guest that would be one without bounds."""
+    passed = []
+    monkeypatch.setattr(Driver, "process_message", lambda self, message: passed.append(message))
+    driver = GuestDriver.__new__(GuestDriver)
+    key = Key("a", "a")
+    driver.process_message(Resize(Size(10**5, 10**5), Size(10**5, 10**5)))
+    driver.process_message(key)
+    assert passed == [key]
+
+
+def test_a_session_draws_as_the_page_can_whatever_terminal_the_server_has(monkeypatch, tmp_path):
+    monkeypatch.setenv("TERM", "linux")
+    monkeypatch.setenv("PYTHONUTF8", "0")
+    monkeypatch.delenv("KINLAB_ASCII", raising=False)
+    environment = Session((), "visitor", tmp_path, web.WebSocketResponse())._build_environment(80, 24)
+    assert environment["PYTHONUTF8"] == "1"
+    monkeypatch.setenv("TERM", environment["TERM"])
+    assert not without_braille()
+
+
+def test_the_cookie_is_the_browsers_own_secret_and_comes_along_by_a_link_from_elsewhere(serve):
+    async def script(served):
+        async with aiohttp.ClientSession() as client, client.get(f"http://{served.place}/") as answer:
+            cookie = answer.cookies["kinlab"]
+        assert cookie["httponly"]
+        assert cookie["samesite"] == "Lax"
+
+    serve(script)
+
+
 def test_no_folder_is_listed_and_nothing_beside_it_is_given_out(serve):
     async def script(served):
         for path in ("/static/", "/static", "/page/", "/static/%2e%2e/server.py", "/page/..%2fserver.py"):
@@ -218,7 +276,7 @@ def test_the_page_names_nothing_outside_and_lets_nothing_in(serve):
     serve(script)
 
 
-def test_a_program_that_does_not_go_is_ended_by_force(serve, monkeypatch):
+def test_a_program_that_does_not_go_is_ended_by_force_and_holds_its_place_until_then(serve, monkeypatch):
     monkeypatch.setattr("kinlab.tui.web.session.PATIENCE", 0.2)
 
     async def script(served):
@@ -231,7 +289,7 @@ def test_a_program_that_does_not_go_is_ended_by_force(serve, monkeypatch):
             (session,) = served.server.sessions
             assert not visitor.line.closed
         async with asyncio.timeout(60):
-            while len(served.told) < 2:
+            while served.server.sessions:
                 await asyncio.sleep(0.01)
         assert session._process.returncode is not None
 

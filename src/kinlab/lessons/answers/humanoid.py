@@ -2,11 +2,10 @@
 
 import numpy as np
 
-from kinlab.gait import find_gait
 from kinlab.gait.stability import GRAVITY
 from kinlab.kinematics.humanoid_leg import humanoid_leg_ik
 from kinlab.kinematics.transforms import Array, homogeneous
-from kinlab.lessons.robots import load_robot
+from kinlab.lessons.robots import find_gait, load_robot
 from kinlab.robots import Limb
 
 LEG = "right_leg"

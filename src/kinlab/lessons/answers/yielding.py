@@ -38,14 +38,22 @@ def damping(kenv: float, denv: float, menv: float) -> float:
     return SecondOrder.of_environment(kenv, denv, menv).zeta
 
 
-def damping_without_two(kenv: float, denv: float, menv: float) -> float:
-    """As `damping`, the 2 below forgotten."""
-    return 2 * damping(kenv, denv, menv)
+def times(value: int, factor: int) -> int:
+    """A multiple of a spring, a damper or a mass."""
+    return value * factor
 
 
-def damping_without_root(kenv: float, denv: float, menv: float) -> float:
-    """As `damping`, the root forgotten."""
-    return denv / (2 * kenv * menv)
+def from_swinging_to_creeping(
+    kenv: float, denv: float, menv: float, stiffer: float, stronger: float, heavier: float
+) -> list[str]:
+    """Four arms by their damping ratio, least first: as it is, and with another spring, damper or mass."""
+    arms = {
+        "base": damping(kenv, denv, menv),
+        "spring": damping(stiffer, denv, menv),
+        "damper": damping(kenv, stronger, menv),
+        "mass": damping(kenv, denv, heavier),
+    }
+    return sorted(arms, key=lambda name: arms[name])
 
 
 def swings(kenv: float, denv: float, menv: float) -> str:

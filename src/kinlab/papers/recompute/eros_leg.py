@@ -41,6 +41,8 @@ def leg_samples(seed: int) -> Quantities:
     shank = (ankle - knee_at) / SHANK
     along = (ankle * thigh).sum(-1)
     names = {f"theta{i + 1}": q[:, i] for i in range(6)}
+    # The same poses of a leg whose shank is as long as its thigh.
+    even = chain.frames(LEG_AXES, (*LEG_LINKS[:3], LEG_LINKS[2], *LEG_LINKS[4:]), q)[..., :3, 3]
     return names | {
         "heading": yaw,
         "P_x": tip[:, 0],
@@ -58,6 +60,7 @@ def leg_samples(seed: int) -> Quantities:
         "gamma_c": np.arccos(-(thigh * shank).sum(-1)),
         "across": np.linalg.norm(np.cross(ankle, thigh), axis=-1),
         "along": along,
+        "even across": np.linalg.norm(np.cross(even[:, 4], thigh), axis=-1),
     }
 
 
@@ -82,7 +85,8 @@ LEG = (
         lambda s: wrap(np.arctan2(s["P_y"], s["P_x"]) - s["theta1"]), unit=DEG,
         reading=lambda s: wrap(np.arctan2(s["P_y"], s["P_x"]) - s["theta1"]),
         inputs=(("P_x", "P_x", MM), ("P_y", "P_y", MM), ("θ1", "theta1", DEG)),
-        cause="the same where P_x > 0; behind the hip it is half a turn off",
+        cause="right where the arctangent knows its quadrant, as atan2 does; taken as it stands it is half a turn off "
+        "for a foot behind the hip",
     ),
     Equation(
         "12", "dP_y = P_y + R0 sin(β)", lambda s: s["P_y"] + s["R0"] * np.sin(s["beta"]), _q("dP_y"),
@@ -136,9 +140,9 @@ LEG = (
     Equation(
         "22", "-d_z3 sin(γ_c)", lambda s: -THIGH * np.sin(s["gamma_c"]), lambda s: -s["across"],
         "-d_z4 sin(γ_c)", lambda s: -SHANK * np.sin(s["gamma_c"]), unit=MM,
-        reading=lambda s: -SHANK * np.sin(s["gamma_c"]),
+        reading=lambda s: -THIGH * np.sin(s["gamma_c"]), reading_truth=lambda s: -s["even across"],
         inputs=(("γ_c", "gamma_c", DEG),),
-        cause=f"the same where thigh and shank are equally long; here {THIGH:g} and {SHANK:g} mm",
+        cause=f"right where the shank is as long as the thigh; here {THIGH:g} and {SHANK:g} mm",
     ),
     Equation(
         "23", "-d_z3 + (-d_z4) cos(γ_c)", lambda s: -THIGH - SHANK * np.cos(s["gamma_c"]), lambda s: -s["along"],

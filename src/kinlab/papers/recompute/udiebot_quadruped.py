@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping
 import numpy as np
 
 from kinlab.papers import udiebot_quadruped as udiebot
-from kinlab.papers.recompute.finding import Cause, Finding, Judge, cut, mean_line
+from kinlab.papers.recompute.finding import Cause, Finding, Judge, mean_line
 from kinlab.papers.recompute.paper import Paper, numbers
 from kinlab.papers.recompute.udiebot_equations import equations
 from kinlab.papers.tables import Cell, PrintedTable, printed_table
@@ -83,7 +83,7 @@ def search(table: PrintedTable) -> Iterator[Finding]:
         copied = (table.number, cells["x"].row) == COPIED
         yield from _forward(cells, lengths, _copied(cells, before, lengths) if copied else {})
         before = cells
-        yield from _errors(cells)
+        yield from _errors(cells, _left_out(table))
     yield from JUDGE.averages(table, REMARKS.get(table.number))
     yield from _percentages(table)
 
@@ -146,23 +146,25 @@ def _forward(
     a, b, both = f"{degrees[0]:g}", f"{degrees[1]:g}", f"{degrees[1] + degrees[2]:.6g}"
     reach, up = f * np.cos(beta) + t * np.cos(beta + gamma), f * np.sin(beta) + t * np.sin(beta + gamma)
     out = f"{f:g} cos {b} + {t:g} cos {both}"
-    table, row = cells["x"].table, cells["x"].row
     slip = {axis: [slips[axis]] if axis in slips else [] for axis in AXES}
     for axis, share, turn in (("x", np.cos(alpha), f" cos {a}"), ("z", np.sin(alpha), f" sin {a}")):
         own, bare = float((coxa + reach) * share), float(reach * share)
-        cause = Cause(
-            "no coxa, the last of four decimals left off", round(bare, 4), cut=True, decimals=DECIMALS,
-            arithmetic=f"({out}){turn} = {bare:.4f}",
-        )  # fmt: skip
+        cause = _shortened("no coxa", bare, f"({out}){turn} = {bare:.4f}")
+        remark = UNEXPLAINED.get((cells["x"].table, cells["x"].row, axis), "")
         yield JUDGE.cell(
-            cells[f"fk {axis}"], own, f"({coxa:g} + {out}){turn} = {own:.4f}", [cause, *slip[axis]],
-            UNEXPLAINED.get((table, row, axis), ""), DECIMALS,
+            cells[f"fk {axis}"], own, f"({coxa:g} + {out}){turn} = {own:.4f}", [cause, *slip[axis]], remark, DECIMALS
         )  # fmt: skip
         if axis == "x":
             line = f"{f:g} sin {b} + {t:g} sin {both} = {up:.4f}"
-            remark = UNEXPLAINED.get((table, row, "y"), LEFT_OUT if cells["fk y"].figure.value == 0 else "")
-            causes = [cut(float(up), DECIMALS), *slip["y"]]
+            remark = LEFT_OUT if cells["fk y"].figure.value == 0 else ""
+            causes = [_shortened("", float(up)), *slip["y"]]
             yield JUDGE.cell(cells["fk y"], float(up), line, causes, remark, DECIMALS)
+
+
+def _shortened(name: str, value: float, arithmetic: str = "") -> Cause:
+    """How the tables print a place: with the last of four decimals left off."""
+    said = ", ".join(filter(None, (name, "the last of four decimals left off")))
+    return Cause(said, round(value, 4), cut=True, decimals=DECIMALS, arithmetic=arithmetic)
 
 
 def _copied(
@@ -176,15 +178,12 @@ def _copied(
     reach, up = float(f * np.cos(beta) + t * np.cos(gamma)), float(f * np.sin(beta) + t * np.sin(gamma))
     out, aloft = (f"{f:g} {s} {b:g} + {t:g} {s} {both:.6g}" for s in ("cos", "sin"))
     x, z = float(reach * np.cos(alpha)), float(reach * np.sin(alpha))
-    name = "no coxa, θ3 of the row before, cut after three decimals"
+    slip = "θ3 of the row before"
     return {
-        "x": Cause(name, x, cut=True, decimals=DECIMALS, arithmetic=f"({out}) cos {a:g} = {x:.4f}"),
-        "y": Cause(
-            "θ3 of the row before, cut after three decimals, without its sign", abs(up),
-            cut=True, decimals=DECIMALS, arithmetic=f"{aloft} = {up:.4f}",
-        ),
-        "z": Cause(name, z, cut=True, decimals=DECIMALS, arithmetic=f"({out}) sin {a:g} = {z:.4f}"),
-    }  # fmt: skip
+        "x": _shortened(f"no coxa, {slip}", x, f"({out}) cos {a:g} = {x:.4f}"),
+        "y": _shortened(f"{slip}, without its sign", abs(up), f"{aloft} = {up:.4f}"),
+        "z": _shortened(f"no coxa, {slip}", z, f"({out}) sin {a:g} = {z:.4f}"),
+    }
 
 
 def _degrees(cells: dict[str, Cell]) -> list[float]:
@@ -197,19 +196,22 @@ UNEXPLAINED = {("5", "row 1", "x"): "the target's x; it belongs to an error of 0
 COPIED = ("6", "row 8")
 
 
-def _errors(cells: dict[str, Cell]) -> Iterator[Finding]:
-    """Error: target less forward kinematics, both as printed."""
+def _left_out(table: PrintedTable) -> list[str]:
+    """The axes whose errors are printed as 0 in every row, although the feet are off."""
+    off = {axis: table.column(axis) - table.column(f"fk {axis}") for axis in AXES}
+    return [axis for axis in AXES if not table.column(f"error {axis}").any() and off[axis].any()]
+
+
+def _errors(cells: dict[str, Cell], left_out: list[str]) -> Iterator[Finding]:
+    """Error: target less forward kinematics, both as printed; 0 on an axis that was left out."""
     for axis in AXES:
         wanted, reached = cells[axis].figure, cells[f"fk {axis}"].figure
         own = wanted.value - reached.value
         sign = f"({reached.text})" if reached.value < 0 else reached.text
-        remark = "" if axis != "y" or round(own, 6) == cells["error y"].figure.value else OUT_OF_Y
+        causes = [Cause(f"{axis} left out: the column prints 0 throughout", 0.0)] if axis in left_out else []
         yield JUDGE.cell(
-            cells[f"error {axis}"], own, f"{wanted.text} - {sign} = {own:.3f}", (), remark, DECIMALS
+            cells[f"error {axis}"], own, f"{wanted.text} - {sign} = {own:.3f}", causes, decimals=DECIMALS
         )
-
-
-OUT_OF_Y = "the column prints 0 throughout: an axis left out"
 
 
 def _percentages(table: PrintedTable) -> Iterator[Finding]:

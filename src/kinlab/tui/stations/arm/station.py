@@ -81,6 +81,10 @@ class ArmStation(Station):
         self._seen = self._owed = 0.0
         self._pictures = 0
 
+    @classmethod
+    def prepare(cls) -> None:
+        there_and_back(load_robot(ROBOT).limb())
+
     def compose_body(self) -> ComposeResult:
         joints = self.limb.joint_names
         with Horizontal(classes="row"):

@@ -18,7 +18,6 @@ from kinlab.kinematics.transforms import Array
 from kinlab.robots import Limb, Robot
 from kinlab.robots.load import load_robots, shipped_robots
 from kinlab.robots.model import FRAMES
-from kinlab.robots.views import SIDE, TOP
 from kinlab.tui.numbers import shown
 from kinlab.tui.station import Station
 from kinlab.tui.stations.robot.actions import ACTIONS
@@ -33,6 +32,7 @@ if TYPE_CHECKING:
     from kinlab.tui.stations.robot.asking import Answer, Asker
 
 STEP = 0.001  # m; how far an arrow key moves the target
+SIDE, TOP = "side", "top"  # the pictures
 
 
 class RobotStation(Station):
