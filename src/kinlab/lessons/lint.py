@@ -86,8 +86,7 @@ def _prerequisites(course: Course, lesson: Lesson) -> Iterator[Finding]:
         elif before.order >= lesson.order:
             yield Finding(place, f"prerequisite '{name}' stands later in the course (order {before.order:g})")
     if lesson.robot:
-        from kinlab.gait import find_gait
-        from kinlab.lessons.robots import load_robot
+        from kinlab.lessons.robots import find_gait, load_robot
         from kinlab.robots import robot_names
 
         if lesson.robot not in robot_names():

@@ -7,7 +7,7 @@ import numpy as np
 
 from kinlab.dynamixel.sandbox.session import Line
 from kinlab.errors import KinlabError
-from kinlab.gait import Cycle, cycle_of, find_gait, gaits_for, plan
+from kinlab.gait import Cycle, cycle_of, gaits_for, plan
 from kinlab.kinematics.transforms import Array
 from kinlab.lessons import Sitting, Task, Verdict
 from kinlab.lessons.kinds import rehearse
@@ -15,7 +15,7 @@ from kinlab.lessons.kinds.joints import angles_deg
 from kinlab.lessons.kinds.state import Workbench
 from kinlab.lessons.replies import LONGEST_SCRIPT, UnreadableError, clean
 from kinlab.lessons.results import Holds, Reach
-from kinlab.lessons.robots import load_robot
+from kinlab.lessons.robots import find_gait, load_robot
 from kinlab.lessons.sitting import Step
 from kinlab.papers.tour import first_target
 from kinlab.robots import Limb
