@@ -210,7 +210,7 @@ def softened(v: Values) -> str:
 
 
 def heard(v: Values) -> str:
-    if v["heard"] in ("-", shown(v["sent"])):
+    if v["heard"] == "-" or v["heard"].startswith(shown(v["sent"])):
         return "silence" if v["heard"] == "-" else "echo"
     return ERRORS[int(v["heard"].split()[4], 16)]
 
