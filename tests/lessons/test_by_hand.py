@@ -210,10 +210,8 @@ def softened(v: Values) -> str:
 
 
 def heard(v: Values) -> str:
-    if v["heard"] == "-":
-        return "silence"
-    if v["heard"].startswith(shown(v["sent"])):
-        return "echo"
+    if v["heard"] == "-" or v["heard"].startswith(shown(v["sent"])):
+        return "silence" if v["heard"] == "-" else "echo"
     return ERRORS[int(v["heard"].split()[4], 16)]
 
 
