@@ -104,8 +104,8 @@ def view(
         if how := _viewer(spawn, serve, None, port, page_port):
             _show(Path(robot), how)
         return
-    how = _viewer(spawn, serve, save, port, page_port)
     check_rrd(save, force, "--save")
+    how = _viewer(spawn, serve, save, port, page_port)
     machine = load_robot(robot, robots)
     reached = True
     if target is not None:
