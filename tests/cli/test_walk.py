@@ -170,6 +170,7 @@ def test_ctrl_c_ends_a_walk(kinlab, monkeypatch, after):
     answer = kinlab(*SHORT)
     assert answer.code == 130
     assert ("before its end" in answer.out) == bool(after)
+    assert ("before the first step" in answer.err) == (not after)
     assert {servo.memory["torque_enable"] for servo in rigs[0].chain.servos} == {0}
 
 
