@@ -12,7 +12,7 @@ import pytest
 
 from kinlab.errors import FileError, UsageError
 from kinlab.lessons import Course, Progress, Sitting
-from kinlab.lessons.progress import Event, profiles
+from kinlab.lessons.progress import Event, profiles, standing
 
 WRITER = """
 import sys
@@ -183,6 +183,18 @@ def test_standing_follows_the_events(samples: Course, tmp_path: Path) -> None:
     assert [line.get("event") for line in lines] == [
         None, "hint", "try", "try", "try", "shown", "try", "try", "reset",
     ]  # fmt: skip
+
+
+def test_what_comes_after_the_right_reply_changes_nothing() -> None:
+    def event(kind: str, ok: bool = False) -> Event:
+        return Event.now(kind, "lesson", 1, "exercise", ok=ok)
+
+    solved = [event("try"), event("try", ok=True)]
+    assert standing(solved, "lesson", 1, "exercise").tries == 2
+    assert standing([*solved, event("try"), event("shown")], "lesson", 1, "exercise") == standing(
+        solved, "lesson", 1, "exercise"
+    )
+    assert standing([event("shown"), *solved], "lesson", 1, "exercise").status == "shown"
 
 
 def test_a_new_version_of_a_lesson_begins_anew(samples: Course, tmp_path: Path) -> None:
