@@ -130,7 +130,9 @@ def test_a_file_of_a_newer_kinlab_is_left_alone(tmp_path: Path) -> None:
     assert path.read_text().startswith('{"format": 2')
 
 
-@pytest.mark.parametrize("name", ["", "../ani", "a/b", ".hidden", "x" * 65, "a b", "a\n"])
+@pytest.mark.parametrize(
+    "name", ["", "../ani", "a/b", ".hidden", "x" * 65, "a b", "a\n", "𠀀" * 64, "ΐ" * 64]
+)
 def test_a_profile_has_a_name_that_is_no_path(name: str, tmp_path: Path) -> None:
     with pytest.raises(UsageError):
         Progress(name, tmp_path)
