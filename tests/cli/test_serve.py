@@ -1,6 +1,7 @@
 """`kinlab serve`, as it is started."""
 
 import json
+import os
 import re
 import signal
 import socket
@@ -58,6 +59,7 @@ def test_it_says_where_it_is_answers_there_and_ends_at_ctrl_c(started, tmp_path)
     process, place, line = started("--sessions", "3")
     assert "3 visitors" in line
     assert "this machine alone" in line
+    assert os.name != "posix" or (tmp_path / "visitors").stat().st_mode & 0o077 == 0
     with urllib.request.urlopen(place, timeout=60) as page:
         assert page.status == 200
         assert 'class="textual-terminal"' in page.read().decode()
@@ -91,7 +93,7 @@ def test_a_port_that_is_taken_is_named(kinlab):
 @pytest.mark.parametrize(
     ("args", "text"),
     [
-        (["--host", ""], "0.0.0.0 for everybody"),
+        (["--host", "", "--sessions", 0], "0.0.0.0 for everybody"),
         (["--sessions", 0], "from 1 on"),
         (["--port", 65536], "0 to 65535"),
         (["--port", -1], "0 to 65535"),
@@ -112,6 +114,15 @@ def test_an_address_that_is_not_here_is_told(kinlab, host, text):
     run = kinlab("serve", "--host", host, "--port", 0)
     assert run.code == 1
     assert text in run.err
+
+
+def test_a_folder_for_visitors_that_cannot_be_made_is_told_before_anybody_comes(
+    kinlab, monkeypatch, tmp_path
+):
+    (tmp_path / "file").touch()
+    monkeypatch.setenv("KINLAB_HOME", str(tmp_path / "file"))
+    run = kinlab("serve", "--host", "a..b")
+    assert "visitors: cannot be made: Not a directory; $KINLAB_HOME" in run.err
 
 
 def test_an_open_address_says_what_it_exposes(capsys):

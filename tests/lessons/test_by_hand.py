@@ -210,7 +210,7 @@ def softened(v: Values) -> str:
 
 
 def heard(v: Values) -> str:
-    if v["heard"] in ("-", shown(v["sent"])):
+    if v["heard"] == "-" or v["heard"].startswith(shown(v["sent"])):
         return "silence" if v["heard"] == "-" else "echo"
     return ERRORS[int(v["heard"].split()[4], 16)]
 
@@ -259,10 +259,15 @@ def bend(v: Values, line: float) -> float:
     return 180 - degrees(acos((a * a + b * b - line * line) / (2 * a * b)))
 
 
-def stepped(v: Values) -> tuple[float, float, float]:
-    knee = bend(v, hypot(v["ahead"], v["down"]))
-    hip = -(degrees(atan(v["ahead"] / v["down"])) + knee / 2)
+def stepped(v: Values, down: float) -> tuple[float, float, float]:
+    knee = bend(v, hypot(v["ahead"], down))
+    hip = -(degrees(atan(v["ahead"] / down)) + knee / 2)
     return hip, knee, -(hip + knee)
+
+
+def all_six(v: Values) -> tuple[float, ...]:
+    roll = degrees(atan(v["aside"] / v["down"]))
+    return 0, roll, *stepped(v, hypot(v["aside"], v["down"])), -roll
 
 
 def zmp(v: Values) -> float:
@@ -401,7 +406,8 @@ BY_HAND: dict[str, Callable[[Values], Any]] = {
     "six-joint-leg/why-six": lambda v: "six",
     "six-joint-leg/knee": lambda v: bend(v, v["line"]),
     "six-joint-leg/ankle": lambda v: -(v["hip"] + v["bend"]),
-    "six-joint-leg/step": stepped,
+    "six-joint-leg/step": lambda v: stepped(v, v["down"]),
+    "six-joint-leg/whole": all_six,
     "six-joint-leg/order": lambda v: ["right_leg-lands", "left_leg-lifts", "left_leg-lands", "right_leg-lifts"],
     "six-joint-leg/zmp": zmp,
     "six-joint-leg/falls": falls,

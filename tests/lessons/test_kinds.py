@@ -79,6 +79,8 @@ def said(course: Course, name: str, reply: str, language: str = "en") -> Verdict
         ("mistake", "(1)", "wrong", "Pythagoras"),
         ("mistake", "٢", "right", ""),
         ("mistake", "7", "no-line", "from 1 to 2"),
+        ("mistake", "line 2", "right", ""),
+        ("mistake", "R2", "no-line", "from 1 to 2"),
         ("state", "write 1 goal_position 425; wait 2", "right", ""),
         ("state", "write 1 goal_position 425", "right", ""),
         ("state", "write 1 goal_position 500", "wrong", "present_position of servo 1"),

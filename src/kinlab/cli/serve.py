@@ -38,7 +38,7 @@ def serve(
     """
     import asyncio
 
-    from kinlab.errors import KinlabError, UsageError
+    from kinlab.errors import FileError, KinlabError, UsageError
     from kinlab.files import own_folder
     from kinlab.language import language
     from kinlab.robots import robot_names
@@ -59,7 +59,14 @@ def serve(
     robot_names(robots)
     if robots:
         os.environ["KINLAB_ROBOTS"] = str(robots.resolve())
-    folders = own_folder() / "visitors"
+    folders = own_folder().resolve() / "visitors"
+    try:
+        # Their names are what visitors come under: nobody else on this machine is to read them.
+        folders.mkdir(mode=0o700, parents=True, exist_ok=True)
+    except OSError as error:
+        raise FileError(
+            f"{folders}: cannot be made: {error.strerror}; $KINLAB_HOME can name another folder"
+        ) from None
 
     def ready(number: int) -> None:
         if json:

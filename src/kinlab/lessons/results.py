@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Reach:
-    """A place that a limb is to reach; any angles that bring it there are right.
+    """A place that a limb is to reach, and with which attitude; any angles that bring it there are right.
 
     Attributes:
         target_mm: the place.
@@ -22,6 +22,7 @@ class Reach:
         lower_deg, upper_deg: limits of the joints; none where they are empty.
         tip: what it is, "foot", "hand" or "tip".
         limb: to be drawn; None where there is none.
+        tilt_deg: how far angles turn the tip from the attitude that is asked for; None where the place alone counts.
     """
 
     target_mm: tuple[float, ...]
@@ -31,6 +32,7 @@ class Reach:
     upper_deg: tuple[float, ...] = ()
     tip: str = "foot"
     limb: "Limb | None" = None
+    tilt_deg: Callable[[Sequence[float]], float] | None = None
 
 
 def limb_reach(limb: "Limb", target_mm: Sequence[float]) -> Reach:

@@ -59,6 +59,7 @@ class Setup:
 # Only READ is answered (section 2.3.2 c): a WRITE costs the bus half as much.
 ANSWER_READS = 1
 RELEASES = 5  # tries to switch a servo off
+SETTLING = 0.1  # s in which an arm that was just switched on sags until its servos carry it
 
 
 class ArmServos:
@@ -133,7 +134,7 @@ class ArmServos:
             ) from error
 
     def hold(self) -> None:
-        """Set the servos up and switch the torque on, with every joint where it is.
+        """Set the servos up and switch the torque on, with every joint where it is; the arm comes to rest.
 
         Raises:
             BusError: a servo does not answer.
@@ -146,6 +147,7 @@ class ArmServos:
                 self.bus.write(i, name, value)
             self.bus.write(i, "goal_position", int(self.bus.read(i, "present_position")))
             self.bus.write(i, "torque_enable", 1)
+        self.bus.port.clock.wait(SETTLING)
 
     def release(self) -> None:
         """Switch the torque off: all servos in one packet, then each again until it says so."""

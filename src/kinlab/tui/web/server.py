@@ -1,6 +1,7 @@
 """The server of `kinlab serve`: a page, and behind it a process for each visitor."""
 
 import asyncio
+import logging
 import re
 import secrets
 import signal
@@ -11,6 +12,7 @@ from pathlib import Path
 from string import Template
 
 from aiohttp import WSCloseCode, web
+from aiohttp.http_exceptions import HttpProcessingError
 from textual_serve.server import Server, to_int
 
 from kinlab.errors import KinlabError
@@ -31,6 +33,10 @@ HEADERS = {
     "X-Content-Type-Options": "nosniff",
     "Cache-Control": "no-cache",
 }
+
+LOG = logging.getLogger(__name__)
+# What is no HTTP (a browser that tries https, somebody who scans for servers) is no failure of this one.
+LOG.addFilter(lambda line: not (line.exc_info and isinstance(line.exc_info[1], HttpProcessingError)))
 
 Handler = Callable[[web.Request], Awaitable[web.StreamResponse]]
 
@@ -79,7 +85,7 @@ class LabServer(Server):
         Raises:
             KinlabError: the port cannot be had.
         """
-        runner = web.AppRunner(await self._make_app(), shutdown_timeout=2 * PATIENCE)
+        runner = web.AppRunner(await self._make_app(), logger=LOG, shutdown_timeout=2 * PATIENCE)
         await runner.setup()
         try:
             site = web.TCPSite(runner, self.host, self.port)
@@ -177,21 +183,27 @@ class LabServer(Server):
 
     # Sessions.
 
+    def _report(self, key: str, visitor: str, **values: object) -> None:
+        # Half of a name: whoever reads all of it over a shoulder could come under it.
+        places = {"count": len(self.sessions), "places": self._places}
+        self._tell(self._say(key, visitor=visitor[:8], **places, **values))
+
     async def handle_websocket(self, request: web.Request) -> web.WebSocketResponse:
         """A session, from the first byte to the last."""
         visitor = _visitor(request)
         while len(self.sessions) >= self._places:
             # A page that is loaded anew takes the place of its former self, once that has left it.
-            former = next((s for s in self.sessions if s.visitor == visitor), None)
-            if former is None:
+            own = [session for session in self.sessions if session.visitor == visitor]
+            if not own:
                 raise web.HTTPServiceUnavailable(text=self._say("full.title"))
+            former = next((session for session in own if session.socket.closed), own[0])
             await former.socket.close()
             await former.over.wait()
         socket = web.WebSocketResponse(heartbeat=15, timeout=PATIENCE, max_msg_size=1 << 20)
         _remember(socket, visitor)
         session = Session(self._words, visitor, self._folders / visitor, socket)
         self.sessions.append(session)
-        self._tell(self._say("begins", count=len(self.sessions), places=self._places, visitor=visitor))
+        self._report("begins", visitor)
         try:
             await socket.prepare(request)
             query = request.query
@@ -199,7 +211,7 @@ class LabServer(Server):
             try:
                 await session.start(*size)
             except OSError as error:
-                self._tell(self._say("fails", visitor=visitor, cause=error.strerror or error))
+                self._report("fails", visitor, cause=error.strerror or error)
             else:
                 await session.attend()
         finally:
@@ -209,7 +221,7 @@ class LabServer(Server):
             finally:
                 self.sessions.remove(session)
                 session.over.set()
-            self._tell(self._say("ends", count=len(self.sessions), places=self._places, visitor=visitor))
+            self._report("ends", visitor)
         return socket
 
 

@@ -14,6 +14,7 @@ from textual_serve.download_manager import DownloadManager
 from kinlab.guests import GUEST
 
 PATIENCE = 3.0  # s for a process to end by itself
+DEAF = 30.0  # s without taking in what is typed, after which a process is given up
 LARGEST = (400, 150)  # columns and rows; a screen beyond takes memory and no eyes
 SMALLEST = (10, 5)
 
@@ -112,7 +113,10 @@ class Session(AppService):
         self.stdin.close()
 
     async def attend(self) -> None:
-        """Pass on what the visitor types and clicks, until the connection ends. What is no message is passed over."""
+        """Pass on what the visitor types and clicks, until the connection ends or the process takes in no more of it.
+
+        What is no message is passed over.
+        """
         async for message in self.socket:
             if message.type != WSMsgType.TEXT:
                 continue
@@ -120,7 +124,10 @@ class Session(AppService):
                 said = message.json()
             except (ValueError, RecursionError):
                 continue
-            await self._hear(said)
+            try:
+                await asyncio.wait_for(self._hear(said), DEAF)
+            except TimeoutError:
+                return
 
     async def _hear(self, said: Any) -> None:
         match said:
