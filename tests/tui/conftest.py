@@ -96,7 +96,7 @@ class Lab:
     @staticmethod
     async def until(pilot: Pilot[None], true: Callable[[], Any]) -> None:
         """Wait for what other threads and timers bring; what never comes fails the test."""
-        async with asyncio.timeout(30):
+        async with asyncio.timeout(60):
             while not true():
                 await pilot.pause(0.01)
 

@@ -239,7 +239,10 @@ def test_the_palette_finds_an_action_by_its_name(lab):
         await pilot.press("ctrl+p")
         await pilot.press(*"dark or")
         hits = pilot.app.screen.query_one(CommandList)
-        await lab.until(pilot, lambda: "dark or light" in str(hits.options[:1] and hits.options[0].prompt))
+        await pilot.app.workers.wait_for_complete()
+        await lab.until(
+            pilot, lambda: hits.highlighted == 0 and "dark or light" in str(hits.options[0].prompt)
+        )
         await pilot.press("enter")
         await lab.until(pilot, lambda: pilot.app.theme == "kinlab-light")
 
