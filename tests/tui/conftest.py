@@ -67,7 +67,7 @@ def _own_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Non
     monkeypatch.setenv("KINLAB_HOME", str(tmp_path / "state"))
     monkeypatch.setenv("KINLAB_LANG", "en")
     monkeypatch.setenv("TEXTUAL_ANIMATIONS", "none")
-    for name in ("KINLAB_ROBOTS", "KINLAB_ASCII", "NO_COLOR"):
+    for name in ("KINLAB_ROBOTS", "KINLAB_LESSONS", "KINLAB_ASCII", "NO_COLOR"):
         monkeypatch.delenv(name, raising=False)
     yield
     # An application keeps what it has brought for good; here it was one of many.
@@ -96,7 +96,7 @@ class Lab:
     @staticmethod
     async def until(pilot: Pilot[None], true: Callable[[], Any]) -> None:
         """Wait for what other threads and timers bring; what never comes fails the test."""
-        async with asyncio.timeout(30):
+        async with asyncio.timeout(60):
             while not true():
                 await pilot.pause(0.01)
 

@@ -211,8 +211,7 @@ def test_a_view_shows_that_it_has_the_focus(run):
         for focused in (True, False):
             station.set_focus(picture if focused else None)
             await pilot.pause()
-            caption = next(iter(picture.render_line(0)))
-            assert bool(caption.style.reverse) is focused
+            assert bool(next(iter(picture.render_line(0))).style.reverse) is focused
 
     run(script)
 

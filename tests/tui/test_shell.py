@@ -12,8 +12,9 @@ from textual.command import CommandList
 from textual.widgets import Static
 
 from kinlab.errors import FileError
+from kinlab.guests import GUEST
 from kinlab.language import LANGUAGES, words_of
-from kinlab.tui.actions import SHELL
+from kinlab.tui.actions import SHELL, bindings
 from kinlab.tui.app import KinlabApp, _station, run
 from kinlab.tui.help import Help
 from kinlab.tui.palette import Actions
@@ -35,6 +36,12 @@ def test_every_action_has_a_label_and_a_help_in_every_language(station):
         for part in ("label", "help"):
             entry = own.get(f"action.{action.id}.{part}") or shell[f"action.{action.id}.{part}"]
             assert all(entry.values())
+
+
+def test_keys_that_a_browser_keeps_for_itself_are_not_offered_to_a_guest(monkeypatch):
+    keys = {binding.key for binding in bindings(SHELL)}
+    monkeypatch.setenv(GUEST, "1")
+    assert keys - {binding.key for binding in bindings(SHELL)} == {"ctrl+n", "ctrl+t"}
 
 
 def test_the_line_of_keys_holds_help_and_quit_at_every_size_and_focus(lab, station):
@@ -232,7 +239,10 @@ def test_the_palette_finds_an_action_by_its_name(lab):
         await pilot.press("ctrl+p")
         await pilot.press(*"dark or")
         hits = pilot.app.screen.query_one(CommandList)
-        await lab.until(pilot, lambda: "dark or light" in str(hits.options[:1] and hits.options[0].prompt))
+        await pilot.app.workers.wait_for_complete()
+        await lab.until(
+            pilot, lambda: hits.highlighted == 0 and "dark or light" in str(hits.options[0].prompt)
+        )
         await pilot.press("enter")
         await lab.until(pilot, lambda: pilot.app.theme == "kinlab-light")
 

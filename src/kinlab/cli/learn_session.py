@@ -160,7 +160,7 @@ class Session:
                 return After.GO_ON
 
     def _service(self, word: str, task: Task) -> bool:
-        """What a word asks for; False where it is for the chain."""
+        """What a word asks for; False where it is for the chain, and elsewhere an answer like any other."""
         if word == "hint":
             self._hint(task)
         elif word == "question":
@@ -170,7 +170,7 @@ class Session:
             self._say("how-state" if state else "how", tries=TRIES_BEFORE_SOLUTION)
             return not state
         else:
-            return task.exercise.kind != "state"
+            return False
         return True
 
     def _answer(self, task: Task) -> Callable[[str], bool]:
@@ -249,12 +249,7 @@ class Session:
         return True
 
     def _explain(self, name: str) -> None:
-        glossary = {
-            form.casefold(): term
-            for term in self.course.glossary.values()
-            for form in (term.name, *term.forms)
-        }
-        term = glossary.get(name.casefold())
+        term = self.course.term(name)
         if term is None:
             self._say(
                 "no-term",
@@ -262,8 +257,7 @@ class Session:
                 near=did_you_mean(self.sitting.language, name, self.course.glossary),
             )
             return
-        meaning = term.meanings.get(self.sitting.language, term.meanings["en"])
-        self._markdown(f"**{term.name}**: {meaning}")
+        self._markdown(f"**{term.name}**: {term.meaning(self.sitting.language)}")
 
     def _farewell(self) -> None:
         sitting, lesson = self.sitting, self.sitting.lesson

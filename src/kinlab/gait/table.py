@@ -25,15 +25,15 @@ def load_gaits(file: str | os.PathLike[str] | None = None) -> dict[str, Gait]:
     Raises:
         FileError: naming file, line and field of what is wrong.
     """
-    found = dict(_own_gaits())
+    found = dict(shipped_gaits())
     for document in documents(file)[1:]:
         found |= _gaits_of(document)
     return found
 
 
 @cache
-def _own_gaits() -> Mapping[str, Gait]:
-    """KinLab's own: each is built once, as nothing can change it."""
+def shipped_gaits() -> Mapping[str, Gait]:
+    """KinLab's own gaits by name, whatever `$KINLAB_ROBOTS` says; built once, as nothing can change them."""
     return MappingProxyType(_gaits_of(shipped_document()))
 
 

@@ -60,7 +60,7 @@ class Help(ModalScreen[None]):
     def _names(self, action: Action) -> str:
         if action.each:
             return key_name(self.app, self.station.say, action.bindings()[0])
-        return " ".join(self.app.get_key_display(Binding(key, "")) for key in action.keys.split(",") if key)
+        return " ".join(self.app.get_key_display(Binding(key.key, "")) for key in action.bindings())
 
     def on_mount(self) -> None:
         self.query_one(VerticalScroll).focus()
