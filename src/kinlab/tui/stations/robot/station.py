@@ -82,7 +82,7 @@ class RobotStation(Station):
         self.stood: Array | None = None
         self._asker: Asker | None = None
         self._asked: Question | None = None
-        self._busy = False
+        self._busy = self._moved = False
 
     def compose_body(self) -> ComposeResult:
         with Horizontal(id="choices"):
@@ -184,12 +184,13 @@ class RobotStation(Station):
         if other or answer.path.pose is not None:
             self.stood = answer.path.pose.q if answer.path.pose is not None else None
         if self._asked is None:
-            begins = other or self.target is None
+            dials_are_old = other or self.target is None or self._moved
+            self._moved = False
             if self.angles is not None or self.target is None:
                 # Where angles lead is the target to go on with.
                 self.target = answer.path.answer.target
             # Dials that already stand there may hold what has just been typed, and is on its way.
-            if begins:
+            if dials_are_old:
                 self._show_form()
         self._paint()
 
@@ -271,7 +272,7 @@ class RobotStation(Station):
         self.target = np.round(target, 4)
         if self.angles is not None:
             self._begin_at_angles(None)
-        self._show_form()
+        self._moved = True
         self.ask()
 
     # The form.
