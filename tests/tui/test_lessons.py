@@ -436,7 +436,7 @@ def test_another_profile_has_numbers_and_progress_of_its_own(take, lab):
         pilot.app.screen.query_one(Input).focus()
         await type_in(pilot, "a b")
         await press(pilot, "enter")
-        assert "is no name for a profile" in lab.text(pilot.app)
+        assert "A name has letters" in lab.text(pilot.app)
         pilot.app.screen.query_one(Input).value = "budi"
         await press(pilot, "enter")
         assert station.progress.profile == "budi"

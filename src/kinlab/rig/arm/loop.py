@@ -59,8 +59,8 @@ class Settings:
     """What a loop is run with.
 
     Attributes:
-        law: by a name or the beginning of one: "none" (each goal is the present angle and one step of the inverse Jacobian), "position"
-            (2.20) or "compliance" (2.26).
+        law: by name or the beginning of one: "none" (each goal is the present angle and one step of the
+            inverse Jacobian), "position" (2.20) or "compliance" (2.26).
         gains, environment: of these.
         running_sum: sum accelerations up into rates without the cycle time. The paper prints no integration.
         alpha: of the torque's low-pass filter.

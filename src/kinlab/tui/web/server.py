@@ -184,7 +184,7 @@ class LabServer(Server):
     # Sessions.
 
     def _report(self, key: str, visitor: str, **values: object) -> None:
-        # Half of a name: whoever reads all of it over a shoulder could come under it.
+        # Part of a name: whoever reads all of it over a shoulder could come under it.
         places = {"count": len(self.sessions), "places": self._places}
         self._tell(self._say(key, visitor=visitor[:8], **places, **values))
 
