@@ -128,6 +128,9 @@ def test_limits_of_torque_and_speed_are_kept(arm_at, stay):
         record = run(servos, stay, HOLD)
         servos.write(2, 0.0, 9.0)
         assert 0.45 < servos.bus.read(6, "moving_speed", "rad/s") < 0.55
+        # No speed at all is written as the slowest: to the servo, 0 would mean as fast as it can.
+        servos.write(2, 0.0, 0.0)
+        assert servos.bus.read(6, "moving_speed") == 1
     # A tenth of the stall torque, and what the turning gear adds as a brake.
     assert np.abs(record.torques["load"]).max() < 0.5
 
