@@ -90,8 +90,12 @@ def test_free_motion_leaves_a_torque_error_smaller_than_the_papers(path):
 @pytest.mark.parametrize("name", ENVIRONMENTS)
 def test_pushed_the_arm_yields_with_compliance_and_deviates_beyond_fifteen_degrees(path, name):
     outcome = pushed(ROBOT, ARM, path, Settings("compliance", environment=ENVIRONMENTS[name]), SETUP)
-    deviation, yields, _ = outcome.claims
+    deviation, yields, fights = outcome.claims
     assert (deviation.verdict, yields.verdict) == ("reproduced", "reproduced")
+    # Under the push a servo carries what the hand exerts on it.
+    run = outcome.runs["position"]
+    exerted = np.abs(run.torques["pushed"][:, -1])
+    assert float(fights.cause.split()[9]) == pytest.approx(exerted[exerted > 0].mean() / KGF_CM, rel=0.1)
     assert set(outcome.to_json()) == {"experiment", "claims", "notes", "runs"}
 
 

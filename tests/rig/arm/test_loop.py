@@ -41,6 +41,16 @@ def test_what_does_not_fit_into_the_cycle_is_reported(arm_at, line):
     assert np.diff(record.t).min() > 0.002
 
 
+def test_a_cycle_that_takes_longer_delays_the_next_and_hurries_none(arm_at, line):
+    with arm_at(line) as servos:
+        servos.hold()
+        clock = servos.bus.port.clock
+        record = run(servos, line, FIRM, lambda k, record: clock.wait(0.1 if k == 5 else 0.0))
+    gaps = np.diff(record.t)
+    assert gaps[5] > 0.1
+    np.testing.assert_allclose(np.delete(gaps, 5), 0.016, atol=1e-9)
+
+
 def test_the_arm_yields_with_compliance_and_not_without(arm_at, stay):
     away = {}
     for law in ("position", "compliance"):
