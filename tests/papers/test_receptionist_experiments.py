@@ -106,6 +106,17 @@ def test_what_the_observers_find_is_told_joint_by_joint(path):
     assert all("shoulder_pitch" in note and "kgf cm" in note for note in notes)
 
 
+def test_packets_that_were_damaged_do_not_end_the_script(path):
+    record = drive(ROBOT, ARM, path, Settings("none"), SETUP, drop=0.01)
+    texts = [script(record, cycle, ROBOT.name) for cycle in range(len(path.q))]
+    assert any("# damaged: FF" in text for text in texts)
+    for text in texts:
+        frames = [
+            parse_hex(line.partition(" FF")[2]) for line in text.splitlines() if line.startswith("decode")
+        ]
+        assert all(frame[2] + 3 == len(frame) for frame in frames)
+
+
 def test_a_cycle_on_the_wire_is_three_reads_with_answers_and_three_writes(path):
     record = drive(ROBOT, ARM, path, Settings("none"), SETUP)
     lines = script(record, 40, ROBOT.name).splitlines()
