@@ -176,3 +176,11 @@ def canvas_dots(canvas: Canvas) -> set[tuple[int, int]]:
         for dx in range(2)
         if char != " " and ord(char) - 0x2800 & weights[dy][dx]
     }
+
+
+def test_what_is_written_under_a_chart_stands_below_its_place():
+    points = [(0.0, 0.0), (10.0, 0.0), (20.0, 5.0)]
+    canvas, _, _ = chart({"a": points}, 40, 6, ascii_only=True, marks={0.0: "0", 20.0: "20 s"})
+    *curve, written = canvas.text().splitlines()
+    assert written.split() == ["0", "20", "s"]
+    assert written.index("20") == max(line.rfind("*") for line in curve)

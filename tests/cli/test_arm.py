@@ -99,12 +99,15 @@ def test_a_small_map_is_drawn_with_its_bounds(kinlab):
     [
         (("track", "--law", "positon"), 2, "did you mean position"),
         (("track", "--law", "compliance"), 2, "kinlab arm comply"),
+        (("track", "--law", "comp"), 2, "kinlab arm comply"),
         (("track", "--profile", "cubic"), 2, "no profile is named"),
         (("track", "--to", -113, 600, 0), 1, "leaves the workspace"),
         (("track", "--to", "nan", 600, 0), 2, "finite"),
         (("track", "--kp", 4000, "--seconds", 3), 1, "ran away at"),
         (("track", "--kp", "nan"), 2, "gains must be finite"),
+        (("track", "--kp", "1e300"), 1, "e+296 deg from its command"),
         (("track", "--seconds", 0), 2, "more than 0 s"),
+        (("track", "--seconds", "1e9"), 2, "at most 600"),
         (("track", "--slope", 400), 2, "slope of a servo is 0 to 254"),
         (("track", "--drop", 0.3), 1, "has not answered for 10 cycles"),
         (("track", "--drop", 1), 2, "less than 1"),
@@ -112,7 +115,7 @@ def test_a_small_map_is_drawn_with_its_bounds(kinlab):
         (("comply", "--push", "force=0,inf,0"), 2, "finite forces"),
         (("comply", "--push", "at=hend force=0,1,0"), 2, "did you mean hand"),
         (("comply", "-e", "table-4.2"), 2, "did you mean table-4.1"),
-        (("comply", "--menv", 0), 2, "Menv more than 0"),
+        (("comply", "--menv", 0), 2, "Menv more than 0: got kf 0.3, kenv 12, denv 5, menv 0"),
         (("comply", "--real", "/dev/nowhere", "--push", "force=0,1,0"), 2, "pushed by hand"),
         (("observe", "--alpha", 0), 2, "alpha of the filter"),
         (("map", "kp", "kp"), 2, "two different gains"),
@@ -125,6 +128,12 @@ def test_bad_input_is_answered_in_words(kinlab, args, code, complaint):
     run = kinlab("arm", *args)
     assert run.code == code, run.err
     assert complaint in run.err
+
+
+def test_the_beginning_of_a_law_is_that_law(kinlab):
+    whole, short = (kinlab("arm", "track", "--law", law, "--seconds", 0.2) for law in ("none", "n"))
+    assert "section 4.1.1" in whole.out
+    assert short.out == whole.out
 
 
 def test_lost_packets_are_held_over_and_counted(kinlab):

@@ -2,7 +2,6 @@
 
 import subprocess
 import sys
-import time
 from collections.abc import Callable
 from io import StringIO
 from pathlib import Path
@@ -347,12 +346,17 @@ def test_a_watched_file_is_checked_when_it_is_saved(tmp_path: Path) -> None:
         name, task = next(iter(sitting.tasks.items()))
         sheet.write_text(blank.replace(f"{name} =", f"{name} = {kind_of(task).wrong(task)[0]}"))
         assert process.stdout.readline().startswith(f"{name}: ")
+        more = sheet.read_text().replace("foot =", "foot = 1 2 3")
+        sheet.write_text(more)
+        assert any(line.startswith("foot: ") for line in process.stdout)
         filled = blank
         for name, task in sitting.tasks.items():
             filled = filled.replace(f"\n{name} =", f"\n{name} = {kind_of(task).right(task)}")
-        time.sleep(0.05)
         sheet.write_text(filled)
         rest = process.stdout.read()
         assert process.wait(60) == 0
     count = len(sitting.tasks)
     assert f"{count} of {count} exercise(s) solved by yourself" in " ".join(rest.split())
+    # Each answer was tried once, however often the file was saved.
+    tried = [event.reply for event in Progress("ani").events]
+    assert len(tried) == len(set(tried)) == count + 2

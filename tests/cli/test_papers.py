@@ -163,6 +163,7 @@ def test_the_page_is_whole_and_loads_nothing(kinlab, tmp_path):
     for name in PAPERS:
         assert name in text
     assert "printed 12.38 cm, recomputed 3.08 cm" in text
+    assert ">none<" in source  # Table 4's share of nothing, without a unit
     assert list(tmp_path.iterdir()) == [file]
 
 

@@ -265,6 +265,7 @@ FINDINGS = [
     ((('prerequisites = ["leg-geometry"]', ""),), (), "uses the term 'femur'"),
     ((('robot = "xl430-hexapod"', 'robot = "xl430"'),), (), "no robot is named 'xl430'; did you mean xl430-hexapod"),
     ((('robot = "xl430-hexapod"', 'robot = "receptionist-arm"\ninstrument = "gait"'),), (), "has no legs to walk on"),
+    ((("[params]\nbeta", '[values.robot]\ncompute = "leg.height"\n[params]\nbeta'),), (), "leg.height(robot="),
     ((("minutes = 10\n", 'minutes = 10\nexplains = ["gayt"]\n'),), (), "explains 'gayt', which"),
     ((("{beta} degrees", "{bta} degrees"),), (), "no value is named 'bta'"),
     ((('solution = "h = {answer:.1f} mm"', 'solution = "h = {answer:.9999f} mm"'),), (), "no format"),

@@ -18,7 +18,13 @@ class ReadBack:
 
         reader = RrdReader(path)
         self.path = path
-        self.blueprints = len(reader.blueprints())
+        (blueprint,) = reader.blueprints()
+        # How it opens: by component, what the blueprint says, whichever view it is said of.
+        self.opens: dict[str, list[Any]] = {}
+        for chunk in reader.stream(store=blueprint):
+            batch = chunk.to_record_batch()
+            for name in (name for name in batch.schema.names if ":" in name):
+                self.opens.setdefault(name, []).extend(row for row in batch[name].to_pylist() if row)
         self.columns: dict[str, dict[str, list[tuple[float | None, int | None, Any]]]] = {}
         self.timelines: set[str] = set()
         for chunk in reader.stream():

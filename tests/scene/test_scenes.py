@@ -31,6 +31,20 @@ WALKERS = [
 ALL = [name for name, _ in WALKERS] + ["receptionist-arm"]
 
 
+def check_opens(found, *kinds: str) -> None:
+    """Its views are of these kinds, and none looks where nothing is."""
+    assert {kind for (kind,) in found.opens["ViewBlueprint:class_identifier"]} == set(kinds)
+    for (origin,) in found.opens["ViewBlueprint:space_origin"]:
+        assert any(path.startswith(origin) for path in found.columns), origin
+
+
+def off_sight(found, place: np.ndarray) -> float:
+    """The angle (rad) between where the eye looks and a place (3,), mm; the picture ends at some 0.4."""
+    ((eye,),), ((middle,),) = (found.opens[f"EyeControls3D:{name}"] for name in ("position", "look_target"))
+    sight, ray = np.subtract(middle, eye), place - np.array(eye)
+    return float(np.arccos(sight @ ray / np.linalg.norm(sight) / np.linalg.norm(ray)))
+
+
 def entity(limb, *more: str, root: str = "world") -> str:
     return "/".join([f"/{root}/body", limb.name, *limb.joint_names, "tip", *more])
 
@@ -53,7 +67,7 @@ def test_every_limb_of_a_resting_robot_is_where_forward_kinematics_puts_it(name,
                 length = found.values(f"{at}/link", "lengths")[0][0]
                 assert length == pytest.approx(1000 * np.linalg.norm(joint.link), rel=1e-6)
     assert found.timelines == set()
-    assert found.blueprints == 1
+    check_opens(found, "3D")
 
 
 @pytest.mark.parametrize(("name", "gait"), WALKERS)
@@ -64,7 +78,9 @@ def test_a_gait_has_every_foot_joint_and_margin_of_every_frame(name, gait, read_
     t = np.arange(41) / 20 * walk.period
     motion, state = walk.at(t), stability(walk.at(t))
     assert found.timelines == {"time", "phase"}
-    assert found.blueprints == 1
+    check_opens(found, "3D", "StateTimeline", "TimeSeries")
+    grown = found.opens["VisibleTimeRanges:ranges"]
+    assert [[r["timeline"] for r in ranges] for ranges in grown] == [["time", "phase"]] * len(robot.legs)
     for i, leg in enumerate(robot.legs):
         tip = found.pose(entity(leg))
         assert len(tip) == 41
@@ -133,21 +149,33 @@ def test_a_target_has_its_ghosts_its_errors_and_its_cloud(read_back):
     cloud = np.array(found.values(f"{home}/workspace", "positions")[0])
     np.testing.assert_allclose(cloud, reached(limb, 6000) * 1000, atol=CLOSE)
     text = found.values("/answer", "text")[0][0]
-    assert "| **knee-up** | 14.036 | 9.069 | -115.808 | 0.0000 |" in text
+    assert "| **knee-up** | 0.0000 | 14.036 | 9.069 | -115.808 |" in text
+    check_opens(found, "3D", "TextDocument")
+    around = (stood(robot) @ limb.mount @ np.insert(reached(limb, 6000), 3, 1, axis=-1).T)[:3].T
+    assert max(off_sight(found, place) for place in around[::50] * 1000) < 0.4
 
 
-def test_an_unreachable_target_shows_the_limb_where_it_comes_nearest(read_back):
-    robot = load_robot("xl430-hexapod")
-    answer = solve_target(robot, robot.limbs["L2"], [0.3, 0, 0])
+@pytest.mark.parametrize(
+    ("name", "limb", "target", "off"),
+    [
+        ("xl430-hexapod", "L2", [0.3, 0, 0], "155 mm off"),
+        # Stretched, and so with a tilted sole, which the closed form has not.
+        ("eros", "left_leg", [0.3, 0.02, -0.4], "249 mm off"),
+    ],
+)
+def test_an_unreachable_target_shows_the_limb_where_it_comes_nearest(name, limb, target, off, read_back):
+    robot = load_robot(name)
+    answer = solve_target(robot, robot.limbs[limb], target)
     found = read_back(target_scene(answer))
-    limb = answer.limb
-    tip = found.pose(entity(limb))[0]
-    near = stood(robot) @ limb.mount @ np.append(answer.nearest, 1)
-    np.testing.assert_allclose(tip[:3, 3], near[:3] * 1000, atol=0.01)
-    assert found.values(f"/world/body/{limb.name}/error", "labels") == [["155 mm off"]]
+    place = stood(robot) @ answer.limb.mount @ np.column_stack([np.append(answer.nearest, 1), [*target, 1]])
+    near, wanted = place[:3].T * 1000
+    np.testing.assert_allclose(found.pose(entity(answer.limb))[0, :3, 3], near, atol=0.01)
+    assert found.values(f"/world/body/{limb}/error", "labels") == [[off]]
+    assert off_sight(found, wanted) < 0.4
     text = found.values("/answer", "text")[0][0]
     assert "Not reached" in text
     assert "Nearest place" in text
+    assert f"| **nearest** | {answer.missed_mm:.4f} |" in text
 
 
 def test_a_foot_that_only_its_attitude_keeps_from_the_target_is_said_to_be_so(read_back):
@@ -194,6 +222,7 @@ def test_a_measured_walk_shows_what_the_servos_said(walked, read_back):
         expected = 100 * record.wiring.by_limb(record.load)[leg][known]
         np.testing.assert_allclose(loads, expected, atol=1e-9)
     assert len(body) == len(record.t)
+    check_opens(found, "3D", "StateTimeline", "TimeSeries", "TextLog")
     energy = np.array(found.values("/energy", "scalars"))[:, 0]
     np.testing.assert_allclose(energy, record.joules / 3600, atol=1e-12)
     errors = np.array(found.values("/tracking", "scalars"))
@@ -211,10 +240,13 @@ def test_every_packet_is_in_the_log_at_the_instant_it_had_passed(walked, read_ba
         found.times("/bus", "text"), [p.at - (first.clock - first.t) for p in heard], atol=2e-9
     )
     for text, packet in zip(texts, heard, strict=True):
-        assert text.endswith(f"[{packet.data.hex(' ').upper()}]")
-        assert text.startswith("->" if packet.sent else "<-")
-    assert texts[0].startswith("-> SYNC_WRITE all: servo 1 Goal Position 512 = 150 deg; servo 2 ")
-    assert any(text.startswith("<- servo 1 ok: Present Position 5") for text in texts)
+        assert f"  [{packet.data.hex(' ').upper()}]" in text
+        assert text.startswith(
+            f"{packet.at - (first.clock - first.t):.5f} s  {'->' if packet.sent else '<-'} "
+        )
+    assert "-> SYNC_WRITE all  [FF FF FE " in texts[0]
+    assert "]  servo 1 Goal Position 512 = 150 deg; servo 2 " in texts[0]
+    assert any("<- servo 1 ok  [" in text and "]  Present Position 5" in text for text in texts)
     assert {level[0] for level in found.values("/bus", "level")} == {"sent", "heard"}
 
 
@@ -241,6 +273,7 @@ def test_both_runs_of_the_pushed_arm_have_their_hands_forces_and_packets(read_ba
         error = np.array(found.values(f"/{name}/error", "scalars"))
         np.testing.assert_allclose(error, np.degrees(record.error), atol=1e-9)
         assert len(found.values(f"/{name}/bus", "text")) == len(record.packets)
+    check_opens(found, "3D", "TimeSeries", "TextLog")
 
 
 def test_rerun_itself_finds_nothing_wrong_with_the_files(tmp_path, read_back, walked, monkeypatch):

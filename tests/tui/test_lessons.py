@@ -9,6 +9,7 @@ from textual.widgets import Input, OptionList
 
 from kinlab.lessons.kinds import kind_of
 from kinlab.lessons.progress import Progress, progress_folder
+from kinlab.lessons.template import ENGLISH, new_lesson
 from kinlab.tui.stations.gait.diagram import Diagram
 from kinlab.tui.stations.lessons.bench import BytesBench, ChainBench, LegBench
 from kinlab.tui.stations.lessons.browser import List, Search
@@ -435,7 +436,7 @@ def test_another_profile_has_numbers_and_progress_of_its_own(take, lab):
         pilot.app.screen.query_one(Input).focus()
         await type_in(pilot, "a b")
         await press(pilot, "enter")
-        assert "is no name for a profile" in lab.text(pilot.app)
+        assert "A name has letters" in lab.text(pilot.app)
         pilot.app.screen.query_one(Input).value = "budi"
         await press(pilot, "enter")
         assert station.progress.profile == "budi"
@@ -631,3 +632,32 @@ def test_a_word_is_looked_up(take, lab):
         assert pilot.app.screen is station
 
     take(script, "leg-geometry", 1, (60, 20))
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ("{answer:.1f}", "{answr:.1f}", "no value is named 'answr'"),
+        ('kind = "number"\nunit = "mm"\ntolerance = 0.5', 'kind = "state"', "needs a Goal"),
+    ],
+)
+def test_a_lesson_of_ones_own_that_fails_is_named_and_not_opened(
+    take, lab, tmp_path, monkeypatch, old, new, message
+):
+    page = new_lesson("mine", tmp_path)[0]
+    without = ENGLISH[: ENGLISH.index("\n[feedback]")] + ENGLISH[ENGLISH.index("```\n\nEnd") :]
+    page.write_text(without.replace(old, new))
+    (page.parent / "id.md").unlink()
+    monkeypatch.setenv("KINLAB_LESSONS", str(tmp_path))
+
+    async def script(pilot, station):
+        station.open_lesson("mine")
+        await settle(pilot)
+        assert station.seat is None
+        assert "mine/en.md:" in lab.text(pilot.app)
+        assert message in lab.text(pilot.app)
+        station.open_lesson("leg-geometry")
+        await settle(pilot)
+        assert station.seat.name
+
+    take(script, size=(160, 30))

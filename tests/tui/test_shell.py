@@ -238,9 +238,11 @@ def test_the_palette_finds_an_action_by_its_name(lab):
     async def script(pilot):
         await pilot.press("ctrl+p")
         await pilot.press(*"dark or")
-        found = pilot.app.screen.query_one(CommandList)
+        hits = pilot.app.screen.query_one(CommandList)
         await pilot.app.workers.wait_for_complete()
-        await lab.until(pilot, lambda: found.highlighted == 0)
+        await lab.until(
+            pilot, lambda: hits.highlighted == 0 and "dark or light" in str(hits.options[0].prompt)
+        )
         await pilot.press("enter")
         await lab.until(pilot, lambda: pilot.app.theme == "kinlab-light")
 
@@ -269,6 +271,19 @@ def test_a_mistake_of_our_own_leaves_a_report_and_no_page_of_code(lab, capsys):
     assert "KinLab has stopped because of a mistake of its own: ZeroDivisionError" in said
     assert "Please report it" in said
     assert "Traceback" not in said
+
+
+def test_an_answer_that_comes_after_somebody_has_left_is_no_mistake(lab, capsys):
+    async def script(pilot):
+        async def answer():
+            while pilot.app.is_running:
+                await asyncio.sleep(0)
+            pilot.app.screen.query_one("Nothing")
+
+        pilot.app.screen.run_worker(answer())
+
+    lab.drive(script)
+    assert not capsys.readouterr().err
 
 
 def test_ctrl_c_leaves_cleanly(lab):

@@ -137,11 +137,12 @@ def _cell(finding: Finding | None, unit: str, recomputed: bool) -> str:
     own_unit = "" if finding.unit == unit else f" {finding.unit}"
     if not recomputed:
         return f"<td>{escape(finding.printed_text + own_unit)}</td>"
-    text = finding.printed_text if finding.verdict == "measured" else finding.recomputed_text or "none"
+    own = finding.printed_text if finding.verdict == "measured" else finding.recomputed_text
+    text = own + own_unit if own else "none"
     tip = "; ".join(filter(None, (finding.verdict, finding.arithmetic, finding.cause)))
     mark = f'<span class="mark">{MARKS[finding.verdict]}</span>'
     because = f"<small>{escape(finding.explained_text)}{mark}</small>" if finding.explained_text else mark
-    return f'<td class="{finding.verdict}" title="{escape(tip)}">{escape(text + own_unit)}{because}</td>'
+    return f'<td class="{finding.verdict}" title="{escape(tip)}">{escape(text)}{because}</td>'
 
 
 def _grouped(findings: list[Finding]) -> str:

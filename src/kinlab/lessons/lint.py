@@ -11,7 +11,7 @@ from kinlab.language import LANGUAGES
 from kinlab.lessons import lint_texts
 from kinlab.lessons.course import Course
 from kinlab.lessons.filling import names
-from kinlab.lessons.kinds import judge, kind_of
+from kinlab.lessons.kinds import judge, kind_of, rehearse
 from kinlab.lessons.lesson import Call, Exercise, Lesson, LessonError, Place
 from kinlab.lessons.parameters import exercise_values, lesson_values
 from kinlab.lessons.registry import evaluate, find, takes
@@ -86,8 +86,7 @@ def _prerequisites(course: Course, lesson: Lesson) -> Iterator[Finding]:
         elif before.order >= lesson.order:
             yield Finding(place, f"prerequisite '{name}' stands later in the course (order {before.order:g})")
     if lesson.robot:
-        from kinlab.gait import find_gait
-        from kinlab.lessons.robots import load_robot
+        from kinlab.lessons.robots import find_gait, load_robot
         from kinlab.robots import robot_names
 
         if lesson.robot not in robot_names():
@@ -141,7 +140,9 @@ def _needed(call: Call, values: Mapping[str, Call]) -> set[str]:
             found |= {inner.partition(".")[0] for inner in names(str(call.given[name]))}
         else:
             found.add(name)
-    return found.union(*(_needed(values[name], values) for name in found if name in values))
+    # Without those that were gone through: a lesson may have one lean on itself.
+    rest = {name: value for name, value in values.items() if name not in found}
+    return found.union(*(_needed(values[name], rest) for name in found if name in values))
 
 
 def _tried(lesson: Lesson) -> list[Finding]:
@@ -187,7 +188,7 @@ def _exercise(lesson: Lesson, exercise: Exercise, shared: list[dict[str, Any]]) 
     for i in range(judged):
         seed = f"seed-{i}"
         for code in lesson.languages:
-            _texts(Task(lesson, exercise, seed, code, shared[i]))
+            rehearse(Task(lesson, exercise, seed, code, shared[i]))
         task = Task(lesson, exercise, seed, lesson.languages[i % len(lesson.languages)], shared[i])
         complaint = _judged(task, slips)
         if complaint:
@@ -222,20 +223,6 @@ def _with_answer(task: Task, answer: Any) -> Task:
     other = Task(task.lesson, task.exercise, task.seed, task.language, task.shared)
     other.__dict__["answer"] = answer
     return other
-
-
-def _texts(task: Task) -> None:
-    """Fill every text of an exercise once.
-
-    Raises:
-        LessonError: a placeholder has no value.
-    """
-    _ = task.ask, task.hints, task.solution
-    kind_of(task).shape(task)
-    wording = task.wording
-    for texts in (wording.feedback.values(), wording.slips, wording.why.values()):
-        for text in texts:
-            task.text(text)
 
 
 def _shown(lesson: Lesson, seed: str, language: str) -> Iterator[Finding]:

@@ -56,6 +56,7 @@ _EXPONENT = r"(?:[eE][+-]?\d+)?"
 _BESIDE = ' \n\t,;()[]{}|~≈`*$"“”'
 _LABEL = re.compile(r"[^\W\d]\w{0,15}\s*[=:]")
 _FRACTION = re.compile(r"([+-]?\d{1,6})\s*/\s*(\d{1,6})")
+_HEXADECIMAL = re.compile(r"(?<![\w.,])0[xX]([0-9a-fA-F]{1,8})\b")
 _THOUSANDS = re.compile(r"(?<![\d.,])\d{1,3}(?:([.,])\d{3})+(?!\1)[.,]\d+(?![\d.,])")
 
 
@@ -111,6 +112,7 @@ def numbers(reply: str, count: int) -> list[Quantity]:
     """
     text = _LABEL.sub(" ", clean(reply))
     text = _THOUSANDS.sub(_without_thousands, text)
+    text = _HEXADECIMAL.sub(lambda found: str(int(found[1], 16)), text)
     if count == 1:
         text = _FRACTION.sub(lambda f: repr(int(f[1]) / int(f[2])) if int(f[2]) else f[0], text, count=1)
     found: list[Quantity] = []

@@ -163,6 +163,15 @@ def _apart(samples: Array) -> Iterator[Array]:
 def nearest(limb: Limb, target: ArrayLike) -> Array:
     """The point (3,), metres, limb frame, nearest to `target` (3,) that the tip reaches within the limits.
 
+    Raises:
+        UsageError: a target that is not finite.
+    """
+    return np.asarray(chain.fk(limb.axes, limb.links, nearest_pose(limb, target))[:3, 3])
+
+
+def nearest_pose(limb: Limb, target: ArrayLike) -> Array:
+    """The angles (n,), rad, within the limits, that bring the tip nearest to `target` (3,), metres, limb frame.
+
     The attitude is left free. Damped Newton steps on the squared distance with the exact second
     derivatives, joints held at a limit that they press against, from the best of many starts.
 
@@ -186,7 +195,7 @@ def nearest(limb: Limb, target: ArrayLike) -> Array:
     q = np.where(mask, picks[np.arange(n), choice], q)
     distance = np.linalg.norm(chain.fk(limb.axes, limb.links, q)[:, :3, 3] - target, axis=1)
     best = min((_descend(limb, target, q[i]) for i in np.argsort(distance)[:8]), key=lambda found: found[0])
-    return np.asarray(chain.fk(limb.axes, limb.links, best[1])[:3, 3])
+    return np.asarray(best[1])
 
 
 def _descend(limb: Limb, target: Array, q: Array) -> tuple[float, Array]:

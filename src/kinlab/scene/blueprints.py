@@ -1,5 +1,6 @@
 """Which views open, and how they are arranged: one blueprint for each subject."""
 
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
@@ -8,7 +9,7 @@ from kinlab.kinematics.transforms import Array
 from kinlab.robots import Robot
 from kinlab.robots.body import resting
 from kinlab.scene.bus import BUS
-from kinlab.scene.recording import TIME, load_rerun, part
+from kinlab.scene.recording import PHASE, TIME, load_rerun, part
 from kinlab.scene.tree import WORLD, stood
 from kinlab.units import to_mm
 
@@ -29,11 +30,11 @@ def _space(around: Array, name: str, root: str = WORLD, growing: tuple[str, ...]
     rr, rrb = load_rerun(), _rrb()
     low, high = to_mm(around.min(axis=0)), to_mm(around.max(axis=0))
     middle, size = (low + high) / 2, float(np.linalg.norm(high - low))
-    until_now = rrb.VisibleTimeRanges(
-        timeline=TIME,
-        start=rrb.TimeRangeBoundary.infinite(),
-        end=rrb.TimeRangeBoundary.cursor_relative(seconds=0),
-    )
+    first = rrb.TimeRangeBoundary.infinite()
+    until_now = rrb.VisibleTimeRanges([
+        rrb.VisibleTimeRange(TIME, start=first, end=rrb.TimeRangeBoundary.cursor_relative(seconds=0)),
+        rrb.VisibleTimeRange(PHASE, start=first, end=rrb.TimeRangeBoundary.cursor_relative(seq=0)),
+    ])  # fmt: skip
     eye = rrb.EyeControls3D(
         position=middle + size * np.array([0.62, -0.72, 0.5]), look_target=middle, eye_up=(0, 0, 1)
     )
@@ -72,21 +73,31 @@ def _blueprint(view: Any, timeline: str | None = TIME) -> Any:
     return rrb.Blueprint(view, rrb.TimePanel(timeline=timeline, state=state), collapse_panels=True)
 
 
-def leg(robot: Robot, answer: bool) -> Any:
-    """A limb: the robot; beside it, where there is one, the answer in numbers."""
+def leg(robot: Robot, answer: bool, places: Iterable[Array] = ()) -> Any:
+    """A limb: the robot; beside it, where there is one, the answer in numbers.
+
+    Args:
+        places: sets of them, each (k, 3), body frame, metres, that shall be in the picture too.
+    """
     rrb = _rrb()
-    space = _space(_resting(robot), robot.name)
+    space = _space(
+        np.vstack([_resting(robot), *(stood(robot)[:3, 3] + place for place in places)]), robot.name
+    )
     if not answer:
         return _blueprint(space, None)
     text = rrb.TextDocumentView(origin=f"/{ANSWER}", name="angles and errors")
     return _blueprint(rrb.Horizontal(space, text, column_shares=[3, 2]), None)
 
 
-def bus(spaces: list[Any], paths: list[str]) -> Any:
-    """A bus: its packets over the robot that they move."""
+def bus(paths: list[str]) -> Any:
+    """One bus, or several: their packets, line by line.
+
+    A view that is not to be seen from the beginning, as in a tab, gets columns too narrow to be read.
+    """
     rrb = _rrb()
-    log = rrb.TextLogView(origin="/", contents=[f"/{path}" for path in paths], name="packets")
-    return rrb.Vertical(log, rrb.Horizontal(*spaces), name="bus")
+    columns = rrb.TextLogColumns(text_log_columns=["entitypath", "body"] if len(paths) > 1 else ["body"])
+    contents = [f"/{path}" for path in paths]
+    return rrb.TextLogView(origin="/", contents=contents, name="packets", columns=columns)
 
 
 def gait(robot: Robot, body: Array) -> Any:
@@ -103,7 +114,7 @@ def gait(robot: Robot, body: Array) -> Any:
 
 
 def walk(robot: Robot, body: Array, packets: bool) -> Any:
-    """A walk that was measured: as the gait, with loads, energy and tracking error; the bus in a tab of its own."""
+    """A walk that was measured: as the gait, with loads, energy and tracking error, and the bus below the robot."""
     rrb = _rrb()
     measured = rrb.Vertical(
         rrb.StateTimelineView(origin="/legs", name="who stands"),
@@ -117,8 +128,9 @@ def walk(robot: Robot, body: Array, packets: bool) -> Any:
         rrb.Tabs(_plot("/angles", "joint angles [deg]"), _plot("/speeds", "joint speeds [deg/s]")),
         row_shares=[_lanes(robot), 2, 2, 2, 2],
     )
-    whole = rrb.Horizontal(_walking(robot, body), measured, column_shares=[3, 2], name="walk")
-    return _blueprint(rrb.Tabs(whole, bus([_walking(robot, body)], [BUS])) if packets else whole)
+    space = _walking(robot, body)
+    shown = rrb.Vertical(space, bus([BUS]), row_shares=[7, 3]) if packets else space
+    return _blueprint(rrb.Horizontal(shown, measured, column_shares=[3, 2]))
 
 
 def _lanes(robot: Robot) -> int:
@@ -132,19 +144,16 @@ def _walking(robot: Robot, body: Array) -> Any:
 
 
 def arm(runs: dict[str, Array], packets: bool) -> Any:
-    """An arm: each run in a space of its own, over its angles and torques; the bus in a tab of its own.
+    """An arm: each run in a space of its own, over its angles and torques; the bus below.
 
     Args:
         runs: by name, where the arm came (k, 3), metres.
     """
     rrb = _rrb()
 
-    def space(run: str) -> Any:
-        return _space(runs[run], run, f"{run}/{WORLD}")
-
     columns = [
         rrb.Vertical(
-            space(run),
+            _space(runs[run], run, f"{run}/{WORLD}"),
             _plot(f"/{run}/error", "command less real [deg]", legend=True),
             rrb.Tabs(
                 _plot(f"/{run}/torques", "torques [N m]"),
@@ -155,10 +164,10 @@ def arm(runs: dict[str, Array], packets: bool) -> Any:
         )
         for run in runs
     ]
-    whole = rrb.Horizontal(*columns, name="arm")
-    if not packets:
-        return _blueprint(whole)
-    return _blueprint(rrb.Tabs(whole, bus([space(run) for run in runs], [f"{run}/{BUS}" for run in runs])))
+    shown = rrb.Horizontal(*columns)
+    if packets:
+        shown = rrb.Vertical(shown, bus([f"{run}/{BUS}" for run in runs]), row_shares=[4, 1])
+    return _blueprint(shown)
 
 
 def live(robot: Robot) -> Any:

@@ -37,31 +37,36 @@ def log_packets(
     @cache
     def told(data: bytes, request: Packet | None, sent: bool) -> tuple[str, bool, Packet | None]:
         found = dissect(data, status=None if sent else True, tables=tables.get, request=request)
-        text = f"{'->' if sent else '<-'} {_sentence(found, sent)}   [{show_hex(data)}]"
-        return text, found.ok, found.packet if sent else request
+        text = f"{'->' if sent else '<-'} {_head(found, sent)}  [{show_hex(data)}]  {_values(found)}"
+        return text.rstrip(), found.ok, found.packet if sent else request
 
     request: Packet | None = None
     texts, levels, shades = [], [], []
-    for packet in heard:
+    for packet, t in zip(heard, times.t.tolist(), strict=True):
         text, ok, request = told(packet.data, None if packet.sent else request, packet.sent)
-        texts.append(text)
+        # The viewer's own column of times may be too narrow to be read. At 1 Mbps a byte takes 10 us.
+        texts.append(f"{t:.5f} s  {text}")
         levels.append(("sent" if packet.sent else "heard") if ok else "damaged")
         shades.append((colours.SENT if packet.sent else colours.HEARD) if ok else colours.BROKEN)
     rr = recording.rr
     recording.over(path, times, rr.TextLog, text=texts, level=levels, color=np.array(shades, np.uint8))
 
 
-def _sentence(found: Dissection, sent: bool) -> str:
-    """A packet in a line: to or from whom, what for, and the values."""
+def _head(found: Dissection, sent: bool) -> str:
+    """A packet in few words: what, and to or from whom."""
     who = "all" if found.id == BROADCAST else f"servo {found.id}"
-    head = f"{found.instruction} {who}" if sent else f"{who} {', '.join(found.errors) or 'ok'}"
+    return f"{found.instruction} {who}" if sent else f"{who} {', '.join(found.errors) or 'ok'}"
+
+
+def _values(found: Dissection) -> str:
+    """What it is about, or what is wrong with it."""
     if not found.ok:
-        return f"{head}: {'; '.join(problem.message for problem in found.complaints)}"
+        return "; ".join(problem.message for problem in found.complaints)
     said: list[str] = []
-    # Header and id apart: the packet's own id stands in `who`.
+    # Header and id apart: the packet's own id stands in its head.
     for before, part in pairwise(found.fields[1:]):
         if part.name == "data" and before.name == "id":
             said[-1] += f" {part.meaning}"
         elif part.name in ("id", "data", "count"):
             said.append(part.meaning)
-    return f"{head}: {'; '.join(said)}" if said else head
+    return "; ".join(said)

@@ -8,6 +8,7 @@ from kinlab.kinematics.transforms import Array
 from kinlab.papers import AsPrinted
 from kinlab.robots import Limb, Robot
 from kinlab.robots.body import resting
+from kinlab.robots.inverse import nearest_pose
 from kinlab.robots.target import TargetReport, angles_deg
 from kinlab.robots.workspace import reached
 from kinlab.scene import blueprints, colours
@@ -29,16 +30,18 @@ def robot_scene(
         frames: every frame as three arrows.
         workspace: what `limb`, or every limb, reaches, as a cloud.
     """
+    which = [limb] if limb else list(robot.limbs.values())
+    clouds = {each.name: reached(each, CLOUD) for each in which} if workspace else {}
+    around = [robot.limbs[name].from_limb(cloud, "body") for name, cloud in clouds.items()]
     recording = Recording(robot.name)
     recording.keep()
-    recording.stream.send_blueprint(blueprints.leg(robot, answer=False))
+    recording.stream.send_blueprint(blueprints.leg(robot, False, around))
     tree = Tree(recording, robot)
     tree.draw(limb, frames)
     recording.pose(tree.body, stood(robot))
     tree.poses(resting(robot))
-    if workspace:
-        for each in [limb] if limb else robot.limbs.values():
-            _cloud(tree, each)
+    for name, cloud in clouds.items():
+        _cloud(tree, robot.limbs[name], cloud)
     return recording
 
 
@@ -55,10 +58,13 @@ def target_scene(
         printed: what the paper's equations give for the same target.
         frames, workspace: as `robot_scene`.
     """
-    robot, limb = answer.robot, answer.limb
+    robot, limb, printed = answer.robot, answer.limb, list(printed)
+    cloud = reached(limb, CLOUD) if workspace else np.empty((0, 3))
+    tips = [variant.tip for variant in printed if variant.tip is not None]
+    around = limb.from_limb(np.vstack([answer.target, *tips, cloud]), "body")
     recording = Recording(f"{robot.name} {limb.name}")
     recording.keep()
-    recording.stream.send_blueprint(blueprints.leg(robot, answer=True))
+    recording.stream.send_blueprint(blueprints.leg(robot, True, [around]))
     tree = Tree(recording, robot)
     tree.draw(limb, frames)
     recording.pose(tree.body, stood(robot))
@@ -80,20 +86,18 @@ def target_scene(
             tree.pose(limb, [variant.angles[name] for name in limb.joint_names], ghost=ghost)
             _error(tree, tree.limb(limb, ghost), variant.tip, answer.target, f"{ghost}: ")
     if workspace:
-        _cloud(tree, limb)
+        _cloud(tree, limb, cloud)
     rr = recording.rr
-    recording.still(blueprints.ANSWER, rr.TextDocument(_told(answer, printed), media_type="text/markdown"))
+    recording.still(blueprints.ANSWER, rr.TextDocument(_told(answer, q, printed), media_type="text/markdown"))
     return recording
 
 
 def _shown(answer: TargetReport) -> Array | None:
-    """The angles of the limb (n,): the chosen ones; else those for the nearest place; else any."""
+    """The angles of the limb (n,): the chosen ones; else those that bring it nearest; else any."""
     if answer.chosen is not None:
         return answer.poses[answer.chosen].q
     if answer.nearest is not None:
-        near = answer.limb.ik(answer.nearest, answer.rotation)
-        if near.reachable:
-            return near.q
+        return nearest_pose(answer.limb, answer.target)
     return answer.poses[0].q if answer.poses else None
 
 
@@ -106,13 +110,13 @@ def _error(tree: Tree, home: str, tip: Array, target: Array, name: str) -> None:
     tree.recording.still(tree.beside(home, "error"), line)
 
 
-def _cloud(tree: Tree, limb: Limb) -> None:
+def _cloud(tree: Tree, limb: Limb, places: Array) -> None:
     path = tree.beside(tree.limb(limb), "workspace")
-    tree.recording.points(path, reached(limb, CLOUD), radii=tree.thick / 8, colors=colours.CLOUD)
+    tree.recording.points(path, places, radii=tree.thick / 8, colors=colours.CLOUD)
 
 
-def _told(answer: TargetReport, printed: Iterable[AsPrinted]) -> str:
-    """The answer in numbers, as Markdown."""
+def _told(answer: TargetReport, shown: Array | None, printed: Iterable[AsPrinted]) -> str:
+    """The answer in numbers, as Markdown; the angles `shown` (n,) are those of the limb."""
     limb = answer.limb
     lines = [f"# {answer.robot.name} {limb.name}", "", f"Target ({_place(answer, answer.target)}) mm in the "]
     lines[-1] += f"{answer.frame} frame."
@@ -122,22 +126,26 @@ def _told(answer: TargetReport, printed: Iterable[AsPrinted]) -> str:
         lines += ["", "With its attitude left free, the tip reaches the place."]
     elif answer.nearest is not None:
         lines += ["", f"Nearest place ({_place(answer, answer.nearest)}) mm, {answer.missed_mm:.3f} mm away."]
-    head = ["", *limb.joint_names, "off"]
-    lines += ["", f"| {' | '.join(head)} |", "|" + "---|" * len(head)]
-    for i, pose in enumerate(answer.poses):
-        name = f"**{pose.name}**" if i == answer.chosen else pose.name
-        lines.append(_row(name, limb, pose.q, pose.error_m))
+    rows = [
+        _row(f"**{pose.name}**" if i == answer.chosen else pose.name, limb, pose.q, pose.error_m)
+        for i, pose in enumerate(answer.poses)
+    ]
+    if answer.nearest is not None and shown is not None:
+        rows.append(_row("**nearest**", limb, shown, answer.missed_mm / 1000))
     for variant in printed:
         if variant.angles is not None and variant.error_m is not None:
             q = np.array([variant.angles[name] for name in limb.joint_names])
-            lines.append(_row(f"printed {variant.variant}", limb, q, variant.error_m))
+            rows.append(_row(f"printed {variant.variant}", limb, q, variant.error_m))
+    if rows:
+        head = ["", "off", *limb.joint_names]
+        lines += ["", f"| {' | '.join(head)} |", "|" + "---|" * len(head), *rows]
     notes = [f"- printed {variant.variant}: {variant.note}" for variant in printed]
     return "\n".join([*lines, "", "Angles in deg, distances of the tip from the target in mm.", "", *notes])
 
 
 def _row(name: str, limb: Limb, q: Array, error_m: float) -> str:
-    angles = " | ".join(f"{angle:.3f}" for angle in angles_deg(limb, q).values())
-    return f"| {name} | {angles} | {error_m * 1000:.4f} |"
+    angles = " | ".join(f"{round(angle, 3) + 0.0:.3f}" for angle in angles_deg(limb, q).values())
+    return f"| {name} | {error_m * 1000:.4f} | {angles} |"
 
 
 def _place(answer: TargetReport, point: Array) -> str:

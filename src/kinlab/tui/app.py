@@ -222,6 +222,11 @@ class KinlabApp(App[None]):
         self.keep()
         super().exit(*args, **settings)
 
+    def _handle_exception(self, error: Exception) -> None:
+        """An error; where somebody has left, what was under way has no screen to show itself on: that is none."""
+        if self.is_running:
+            super()._handle_exception(error)
+
     def _fatal_error(self) -> None:
         """KinLab itself has failed: no page of code, but where the report is and what is asked for.
 

@@ -4,8 +4,11 @@ A verdict sees that a form is wrong; these numbers, redone by hand, see that it 
 matrices, which are told entry by entry, and equations whose first wrong place is one that was drawn at random.
 """
 
+import re
+
 import pytest
 
+from kinlab.papers import eros_humanoid, krsri_hexapod, udiebot_quadruped, xl430_hexapod
 from kinlab.papers.recompute import recompute
 
 FOUND = {(f.paper, f.where): f for report in recompute() for f in report.findings}
@@ -85,3 +88,20 @@ PRINTED = {
 def test_printed_forms_give_what_was_worked_out(paper):
     worked = {n: FOUND[paper, f"equation ({n})"].arithmetic.rpartition(": ")[2] for n in PRINTED[paper]}
     assert worked == PRINTED[paper]
+
+
+def plain(text):
+    """An equation's right side, without blanks, in letters that need no Greek."""
+    text = re.sub(r"√(\w+)", r"sqrt(\1)", text.rpartition(" = ")[2]).replace("√", "sqrt").replace("²", "^2")
+    for greek, name in (("θ", "theta"), ("β", "beta"), ("γ", "gamma"), ("deg", "")):
+        text = text.replace(greek, name)
+    return text.replace(" ", "")
+
+
+@pytest.mark.parametrize(
+    "module", [xl430_hexapod, krsri_hexapod, udiebot_quadruped, eros_humanoid], ids=lambda m: m.__name__
+)
+def test_as_printed_quotes_the_same_print(module):
+    paper = module.__name__.rpartition(".")[2].replace("_", "-")
+    for misprint in module.INVERSE.misprints:
+        assert plain(misprint.printed) == plain(FOUND[paper, f"equation ({misprint.equation})"].printed)

@@ -19,7 +19,7 @@ TOTALS = {
     "receptionist-arm": (390, 45, 50, 8),
     "xl430-hexapod": (80, 14, 18, 145),
     "krsri-hexapod": (203, 1, 5, 176),
-    "udiebot-quadruped": (182, 136, 13, 109),
+    "udiebot-quadruped": (183, 136, 13, 108),
 }
 FINDINGS = [finding for report in REPORTS.values() for finding in report.findings]
 

@@ -35,14 +35,19 @@ def recompute() -> Iterator[Finding]:
 
 def robot() -> Iterator[Finding]:
     """Tables 1 to 3: what was built, and the joints added up."""
-    each = printed_table(NAME, "3").column("DOF")
+    each, servos = (printed_table(NAME, "3").column(name) for name in ("DOF", "servos"))
     of_a_leg = " + ".join(f"{v:g}" for v in each) + f" = {each.sum():g}"
+    legs = printed_table(NAME, "1").rows["legs"]["value"].figure.value
+    whole = legs * each.sum()
     computed = {
-        ("1", "degrees of freedom", "value"): (4 * each.sum(), f"4 legs x {each.sum():g} joints = 12"),
-        ("1", "servos", "value"): (4 * each.sum(), f"4 legs x {each.sum():g} servos = 12"),
-        ("3", "total", "DOF"): (4 * each.sum(), f"4 legs x {each.sum():g} joints = 12"),
+        ("1", "degrees of freedom", "value"): (whole, f"{legs:g} legs x {each.sum():g} joints = {whole:g}"),
+        ("1", "servos", "value"): (
+            legs * servos.sum(), f"{legs:g} legs x {servos.sum():g} servos = {legs * servos.sum():g}"
+        ),
+        ("3", "total", "legs"): (legs, f"Table 1: {legs:g} legs"),
+        ("3", "total", "DOF"): (whole, f"{legs:g} legs x {each.sum():g} joints = {whole:g}"),
         ("3", "total", "DOF per leg"): (each.sum(), of_a_leg),
-    }
+    }  # fmt: skip
     for number in ("1", "2", "3"):
         for cell in printed_table(NAME, number).cells():
             own = computed.get((cell.table, cell.row, cell.column))

@@ -1,5 +1,6 @@
 """The packets of one cycle of the loop, as a script that the packet sandbox reads."""
 
+from kinlab.dynamixel.bus import packets
 from kinlab.rig.arm.record import Record
 
 
@@ -10,7 +11,7 @@ def script(record: Record, cycle: int, robot: str) -> str:
         robot: whose chain the sandbox is to have, so that it knows the registers' names.
     """
     start = record.began + record.t[cycle]
-    heard = [p for p in record.packets if start < p.at <= start + record.busy[cycle] + 1e-9]
+    heard = [p for p in packets(record.packets) if start < p.at <= start + record.busy[cycle] + 1e-9]
     lines = [f"chain {robot}"]
     for packet in heard:
         lines.append(f"# {(packet.at - heard[0].at) * 1e3:.3f} ms")

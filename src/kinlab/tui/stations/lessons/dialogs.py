@@ -11,7 +11,7 @@ from textual.content import Content
 from textual.screen import ModalScreen
 from textual.widgets import Input, OptionList, Static
 
-from kinlab.errors import UsageError
+from kinlab.errors import KinlabError, UsageError
 from kinlab.lessons.course import Term
 from kinlab.lessons.progress import Progress, profiles
 from kinlab.tui.station import Station
@@ -69,7 +69,9 @@ class Profiles(ModalScreen[str | None]):
         event.stop()
         try:
             name = Progress(event.value.strip()).profile
-        except UsageError as error:
+        except UsageError:
+            self.query_one("#wrong", Static).update(Content(self._station.say("profiles.wrong")))
+        except KinlabError as error:
             self.query_one("#wrong", Static).update(Content(str(error)))
         else:
             self.dismiss(name)

@@ -7,14 +7,15 @@ import numpy as np
 
 from kinlab.dynamixel.sandbox.session import Line
 from kinlab.errors import KinlabError
-from kinlab.gait import Cycle, cycle_of, find_gait, gaits_for, plan
+from kinlab.gait import Cycle, cycle_of, gaits_for, plan
 from kinlab.kinematics.transforms import Array
 from kinlab.lessons import Sitting, Task, Verdict
+from kinlab.lessons.kinds import rehearse
 from kinlab.lessons.kinds.joints import angles_deg
 from kinlab.lessons.kinds.state import Workbench
 from kinlab.lessons.replies import LONGEST_SCRIPT, UnreadableError, clean
 from kinlab.lessons.results import Holds, Reach
-from kinlab.lessons.robots import load_robot
+from kinlab.lessons.robots import find_gait, load_robot
 from kinlab.lessons.sitting import Step
 from kinlab.papers.tour import first_target
 from kinlab.robots import Limb
@@ -73,10 +74,13 @@ class Seat:
             tables: of the same lesson, in another language.
 
         Raises:
-            LessonError: the lesson's texts cannot be filled in.
+            LessonError: something of the lesson cannot be filled in or computed.
         """
         self.sitting = sitting
         self.steps: list[Step] = sitting.steps()
+        # What fails is better said here than in the middle of the lesson.
+        for task in sitting.tasks.values():
+            rehearse(task)
         begin = next(
             (i for i, s in enumerate(self.steps) if s.task and s.task.exercise.id in sitting.open), 0
         )
