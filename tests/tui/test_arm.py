@@ -50,7 +50,7 @@ def tick(station, seconds=0.2):
 # Time.
 
 
-def test_a_key_or_a_click_lets_the_arm_go_on_and_holds_it(run, lab):
+def test_a_key_or_a_click_lets_the_arm_go_on_and_holds_it(run):
     async def script(pilot, station):
         await pilot.press("space")
         tick(station)
@@ -118,7 +118,7 @@ def test_a_push_ends_by_itself(run):
     run(script)
 
 
-def test_the_mouse_pulls_the_hand_while_it_is_held(run, lab):
+def test_the_mouse_pulls_the_hand_while_it_is_held(run):
     async def script(pilot, station):
         view = station.query_one("#side")
         go_on(station, 0.1)

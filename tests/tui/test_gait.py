@@ -60,7 +60,7 @@ def phase(station):
 # Time.
 
 
-def test_a_key_plays_and_stops_and_frames_and_phases_step_both_ways(run, lab):
+def test_a_key_plays_and_stops_and_frames_and_phases_step_both_ways(run):
     async def script(pilot, station):
         await pilot.press("space")
         tick(station)
@@ -133,7 +133,7 @@ def test_the_mouse_moves_the_cursor_of_the_diagram(run):
     run(script)
 
 
-def test_time_does_not_pass_on_a_stage_that_nobody_sees(run, lab):
+def test_time_does_not_pass_on_a_stage_that_nobody_sees(run):
     async def script(pilot, station):
         await pilot.press("space")
         await pilot.app.open_station("arm")

@@ -15,7 +15,7 @@ from kinlab.errors import FileError
 from kinlab.guests import GUEST
 from kinlab.language import LANGUAGES, words_of
 from kinlab.tui.actions import SHELL, bindings
-from kinlab.tui.app import _station, run
+from kinlab.tui.app import KinlabApp, _station, run
 from kinlab.tui.help import Help
 from kinlab.tui.palette import Actions
 from kinlab.tui.station import Station
@@ -324,3 +324,12 @@ def test_settings_that_cannot_be_written_are_told_after_leaving_and_harm_nothing
 
     app = lab.drive(script)
     assert "state" in app.unkept
+
+
+def test_what_could_not_be_kept_is_told_in_the_language_that_was_spoken(tmp_path, monkeypatch, capsys):
+    (tmp_path / "state").write_text("a file where a folder should be")
+    monkeypatch.setattr(KinlabApp, "run", lambda app: setattr(app, "tongue", "id") or app.keep())
+    assert run() == 0
+    told = capsys.readouterr().err
+    assert told.startswith("kinlab: pilihan Anda tidak tersimpan")
+    assert "state" in told

@@ -262,7 +262,8 @@ def run(station: str | None = None) -> int:
     app.animation_level = "none"
     app.run()
     if app.unkept:
-        sys.stderr.write(f"kinlab: {app.unkept}\n")
+        told = words_of("kinlab.tui").say(app.tongue, "shell.unkept", why=app.unkept)
+        sys.stderr.write(f"kinlab: {told}\n")
     return app.return_code or 0
 
 
