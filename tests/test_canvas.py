@@ -55,6 +55,14 @@ def test_labels_never_cover_marks_or_each_other():
     assert 1 <= text.count("name") <= 4
 
 
+def test_two_labels_never_read_as_one():
+    canvas = _square()
+    canvas.label(canvas.place(9, 4), "femur", "")
+    canvas.label(canvas.place(5, 4), "coxa", "")
+    assert "coxafemur" not in canvas.text()
+    assert canvas.text().count("coxa") == 1
+
+
 def test_a_label_may_stand_on_the_left_first():
     for left, text in ((False, "o name"), (True, "name o")):
         canvas = _square()
@@ -176,3 +184,11 @@ def canvas_dots(canvas: Canvas) -> set[tuple[int, int]]:
         for dx in range(2)
         if char != " " and ord(char) - 0x2800 & weights[dy][dx]
     }
+
+
+def test_what_is_written_under_a_chart_stands_below_its_place():
+    points = [(0.0, 0.0), (10.0, 0.0), (20.0, 5.0)]
+    canvas, _, _ = chart({"a": points}, 40, 6, ascii_only=True, marks={0.0: "0", 20.0: "20 s"})
+    *curve, written = canvas.text().splitlines()
+    assert written.split() == ["0", "20", "s"]
+    assert written.index("20") == max(line.rfind("*") for line in curve)

@@ -17,6 +17,13 @@ from kinlab.language import LANGUAGES, Words, language
         ({"LANG": "en_US.UTF-8", "LC_ALL": "id_ID.UTF-8"}, "id"),
         ({"LANG": "id_ID.UTF-8", "LC_MESSAGES": "en_GB.UTF-8"}, "en"),
         ({"LANG": "en_US.UTF-8", "KINLAB_LANG": "id"}, "id"),
+        ({"LANG": "in_ID"}, "id"),
+        ({"LANG": "Indonesian_Indonesia.1252"}, "id"),
+        ({"LANG": "en_US.UTF-8", "LANGUAGE": "id:en"}, "id"),
+        ({"LANG": "id_ID.UTF-8", "LANGUAGE": "jv:en_GB"}, "en"),
+        ({"LANG": "id_ID.UTF-8", "LANGUAGE": ""}, "id"),
+        ({"LANG": "id_ID.UTF-8", "LC_ALL": "C.UTF-8", "LANGUAGE": "id"}, "en"),
+        ({"LANGUAGE": "id"}, "en"),
     ],
 )
 def test_the_environment_names_the_language(environment: dict[str, str], spoken: str) -> None:

@@ -120,8 +120,12 @@ class Canvas:
             places[:2] = places[1::-1]
         for r, c in places:
             inside = 0 <= r < self.rows and c >= 0 and c + len(text) <= self.columns
-            if inside and not any(
-                (r, c + i) in self._chars or self._bits[r][c + i] for i in range(len(text))
+            # Two names side by side would read as one.
+            apart = not any(self._chars.get((r, at), "").isalnum() for at in (c - 1, c + len(text)))
+            if (
+                inside
+                and apart
+                and not any((r, c + i) in self._chars or self._bits[r][c + i] for i in range(len(text)))
             ):
                 for i, char in enumerate(text):
                     self._chars[r, c + i], self._roles[r, c + i] = char, role
@@ -189,6 +193,7 @@ def chart(
     *,
     ascii_only: bool = False,
     zero: bool = True,
+    marks: Mapping[float, str] | None = None,
 ) -> tuple[Canvas, tuple[float, float], tuple[float, float]]:
     """Curves over one another, each named where it ends: the canvas, and the ranges that x and y fill.
 
@@ -199,6 +204,7 @@ def chart(
         columns, rows: of the field, in characters.
         ascii_only: without braille.
         zero: whether zero of y is in sight, dashed, whatever the curves do.
+        marks: what is written under the field at values of x.
     """
     real = [p for points in series.values() for p in points if p[1] == p[1]]
     low_x, high_x = min(x for x, _ in real), max(x for x, _ in real)
@@ -206,9 +212,13 @@ def chart(
     low_y, high_y = min(ys), max(ys)
     # In dots, with room for the names at the right.
     width = 2.0 * (columns - max(map(len, series)) - 3) - 6
-    height = 4.0 * rows - 6
+    below = 4.0 if marks else 0.0
+    height = 4.0 * rows - 6 - below
     across, up = width / max(high_x - low_x, 1e-300), height / max(high_y - low_y, 1e-300)
-    canvas = Canvas(columns, rows, [(0.0, 0.0), (2.0 * columns - 6, height)], ascii_only=ascii_only)
+    canvas = Canvas(columns, rows, [(0.0, -below), (2.0 * columns - 6, height)], ascii_only=ascii_only)
+    for x, text in (marks or {}).items():
+        for i, char in enumerate(text):
+            canvas.mark(((x - low_x) * across + 2.0 * i, -below), char, "axis")
     if low_y <= 0.0 <= high_y:
         canvas.line((0.0, -low_y * up), (width, -low_y * up), "axis", dashed=True)
     for i, (name, points) in enumerate(series.items()):

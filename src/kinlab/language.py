@@ -1,6 +1,7 @@
 """The language that people are spoken to in: English, or Bahasa Indonesia."""
 
 import os
+import re
 import tomllib
 from collections.abc import Mapping
 from functools import cache
@@ -9,6 +10,8 @@ from importlib.resources import files
 from kinlab.names import resolve
 
 LANGUAGES = {"en": "English", "id": "Bahasa Indonesia"}
+# Old systems write "in", Windows the name.
+_OTHER_CODES = {"in": "id", "indonesian": "id", "indonesia": "id"}
 
 
 def language(wanted: str | None = None, environment: Mapping[str, str] = os.environ) -> str:
@@ -20,9 +23,17 @@ def language(wanted: str | None = None, environment: Mapping[str, str] = os.envi
     wanted = wanted or environment.get("KINLAB_LANG")
     if wanted:
         return resolve(wanted, LANGUAGES, "language")
-    locale = next((environment[key] for key in ("LC_ALL", "LC_MESSAGES", "LANG") if environment.get(key)), "")
-    # glibc writes id_ID.UTF-8; old systems wrote the language as "in".
-    return "id" if locale.lower().startswith(("id_", "in_", "id.", "indonesia")) or locale == "id" else "en"
+    locale = next(
+        (environment[key] for key in ("LC_ALL", "LC_MESSAGES", "LANG") if environment.get(key)), "C"
+    )
+    # As gettext does it: a list in $LANGUAGE comes first, but where the locale is none that speaks.
+    spoken = locale.partition(".")[0] not in ("C", "POSIX")
+    for name in (*(environment.get("LANGUAGE", "").split(":") if spoken else ()), locale):
+        code = re.split(r"[_.@-]", name.lower())[0]
+        code = _OTHER_CODES.get(code, code)
+        if code in LANGUAGES:
+            return code
+    return "en"
 
 
 class Words:

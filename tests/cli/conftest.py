@@ -32,7 +32,8 @@ class Run:
 def kinlab(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> Callable[..., Run]:
     """`kinlab("ik", "udiebot", 26, 0, 10)` as a shell would run it, on a wide terminal without colours."""
     monkeypatch.setenv("COLUMNS", "140")
-    monkeypatch.delenv("KINLAB_ROBOTS", raising=False)
+    for name in ("KINLAB_ROBOTS", "KINLAB_LESSONS", "LANGUAGE"):
+        monkeypatch.delenv(name, raising=False)
 
     def run(*args: Any) -> Run:
         capsys.readouterr()

@@ -180,7 +180,7 @@ class Terminal:
         os.close(slave)
 
     def until(self, text):
-        seen, end = "", time.monotonic() + 20
+        seen, end = "", time.monotonic() + 60
         while text not in seen and time.monotonic() < end:
             if select.select([self.master], [], [], 0.2)[0]:
                 try:
@@ -194,7 +194,7 @@ class Terminal:
         os.write(self.master, keys.encode())
 
     def ends(self):
-        code = self.process.wait(20)
+        code = self.process.wait(60)
         os.close(self.master)
         return code
 
@@ -231,6 +231,17 @@ def test_ctrl_c_ends_the_steps_quietly():
             break
     assert "Traceback" not in seen
     assert terminal.ends() in (130, -signal.SIGINT)
+
+
+def test_a_negative_margin_is_said_in_words(kinlab):
+    falling, dynamic, steady = (
+        kinlab("gait", *args, "--json").json["notes"][0]
+        for args in (("udiebot", "--gait", "pace"), ("eros", "--speed", 5000), ("krsri-hexapod",))
+    )
+    assert "a robot that stopped there would fall" in falling
+    assert "outside too, and it tips" in falling
+    assert "its zero moment point stays" in dynamic
+    assert steady.startswith("gait tripod")
 
 
 def test_a_margin_that_does_not_exist_is_null(kinlab):

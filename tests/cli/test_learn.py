@@ -2,7 +2,6 @@
 
 import subprocess
 import sys
-import time
 from collections.abc import Callable
 from io import StringIO
 from pathlib import Path
@@ -107,6 +106,19 @@ def test_the_lesson_can_be_heard(types: Any, monkeypatch: pytest.MonkeyPatch) ->
     assert types("quit").out == by_option
 
 
+def test_without_any_input_the_lesson_is_shown_and_left(kinlab: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys, "stdin", None)
+    run = kinlab("learn", LEG)
+    assert run.code == 0
+    assert "What you have done is kept." in run.out
+    assert kinlab("learn", "reset", LEG).code == 2
+
+
+def test_no_word_is_swallowed(types: Any) -> None:
+    run = types("done", "again", "selesai", "quit")
+    assert run.out.count("' is none of the options") == 3
+
+
 def test_control_characters_are_not_obeyed(types: Any) -> None:
     run = types("\x1b]0;title\x07", "\x1b[2J12\x00", "x" * 5000, "quit")
     assert "\x1b" not in run.out
@@ -208,6 +220,21 @@ def test_a_file_that_cannot_be_read_does_not_stop_the_class(types: Any, kinlab: 
     assert kinlab("learn", "verify", str(broken)).code == 2
 
 
+def test_students_of_the_same_name_are_told_apart_by_their_files(
+    types: Any, kinlab: Any, tmp_path: Path
+) -> None:
+    types("quit")
+    kinlab("learn", "export", "-p", "ani", "-o", tmp_path / "ani.json")
+    for name in ("one", "two"):
+        (tmp_path / f"{name}.json").write_text(
+            f'{{"format": 1, "profile": "student", "seed": "{name}", "events": []}}'
+        )
+    out = kinlab("learn", "verify", *tmp_path.glob("*.json")).out
+    assert "one.json)" in out
+    assert "two.json)" in out
+    assert "ani.json)" not in out
+
+
 def test_exporting_nothing_says_so(kinlab: Any) -> None:
     run = kinlab("learn", "export", "-p", "nobody")
     assert run.code == 2
@@ -263,6 +290,15 @@ def test_a_new_lesson_passes_its_lint(kinlab: Any, tmp_path: Path) -> None:
     assert (run.code, run.out) == (0, "1 lesson(s), 1 exercise(s): no finding(s)\n")
 
 
+def test_lessons_of_ones_own_may_be_named_once_for_all(
+    kinlab: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("KINLAB_LESSONS", str(tmp_path / "ours"))
+    assert f"{tmp_path / 'ours'}: cannot be read" in kinlab("learn").err
+    assert str(tmp_path / "ours" / "mine" / "en.md") in kinlab("learn", "new", "mine").out
+    assert "  mine  " in kinlab("learn").out
+
+
 def test_a_lesson_is_one_document(kinlab: Any) -> None:
     found = kinlab("learn", LEG, "-p", "ani", "--json").json
     assert found["seed"] == "ani"
@@ -275,6 +311,7 @@ def test_a_lesson_is_one_document(kinlab: Any) -> None:
         (["leg-geometri"], "did you mean leg-geometry"),
         ([LEG, "--lang", "fr"], "no language is named 'fr'"),
         ([LEG, "--profile", "../x"], "no name for a profile"),
+        ([LEG, "--profile", ""], "'' is no name for a profile"),
         ([LEG, "--lessons", "/nowhere"], "/nowhere: cannot be read"),
         ([LEG, "--json", "--watch", "x"], "give one of the two"),
         (["export", "--csv", "--json"], "give one"),
@@ -317,12 +354,17 @@ def test_a_watched_file_is_checked_when_it_is_saved(tmp_path: Path) -> None:
         name, task = next(iter(sitting.tasks.items()))
         sheet.write_text(blank.replace(f"{name} =", f"{name} = {kind_of(task).wrong(task)[0]}"))
         assert process.stdout.readline().startswith(f"{name}: ")
+        more = sheet.read_text().replace("foot =", "foot = 1 2 3")
+        sheet.write_text(more)
+        assert any(line.startswith("foot: ") for line in process.stdout)
         filled = blank
         for name, task in sitting.tasks.items():
             filled = filled.replace(f"\n{name} =", f"\n{name} = {kind_of(task).right(task)}")
-        time.sleep(0.05)
         sheet.write_text(filled)
         rest = process.stdout.read()
-        assert process.wait(30) == 0
+        assert process.wait(60) == 0
     count = len(sitting.tasks)
     assert f"{count} of {count} exercise(s) solved by yourself" in " ".join(rest.split())
+    # Each answer was tried once, however often the file was saved.
+    tried = [event.reply for event in Progress("ani").events]
+    assert len(tried) == len(set(tried)) == count + 2

@@ -66,6 +66,15 @@ def test_a_paper_is_shown_with_its_reasoning(kinlab):
     assert "most likely the scan's doing" in shown
 
 
+def test_what_is_measured_stands_in_a_line_for_each_reason(kinlab):
+    lines = [line for line in kinlab("papers", "krsri").out.splitlines() if line.startswith("·")]
+    assert lines[:2] == [
+        "· Table 2, 22 figures: chosen by the authors",
+        "· Table 2, 22 figures: measured, the mean of three runs",
+    ]
+    assert len(lines) == 4 * 2
+
+
 def test_a_table_is_shown_cell_by_cell(kinlab):
     shown = kinlab("papers", "xl430", "--table", 4).out
     (row,) = re.findall(r"^test 8 .*$", shown, re.MULTILINE)
@@ -154,6 +163,7 @@ def test_the_page_is_whole_and_loads_nothing(kinlab, tmp_path):
     for name in PAPERS:
         assert name in text
     assert "printed 12.38 cm, recomputed 3.08 cm" in text
+    assert ">none<" in source  # Table 4's share of nothing, without a unit
     assert list(tmp_path.iterdir()) == [file]
 
 
@@ -163,6 +173,9 @@ def test_a_page_of_one_paper(kinlab, tmp_path):
     source = file.read_text(encoding="utf-8")
     assert "krsri-hexapod, recomputed" in source
     assert "xl430" not in source
+    # What a cause explains in the text lies open, as it does of equations and tables.
+    before = source[: source.index("linear in the sense of steady")]
+    assert before.count("<details>") == before.count("</details>")
 
 
 def test_the_page_escapes_what_it_shows(kinlab, tmp_path, monkeypatch):

@@ -1,6 +1,7 @@
 """`kinlab serve`, as it is started."""
 
 import json
+import os
 import re
 import signal
 import socket
@@ -8,11 +9,13 @@ import subprocess
 import sys
 import urllib.error
 import urllib.request
+from urllib.parse import urlsplit
 
 import pytest
 
 from kinlab.cli.serve import _address, _warn
 from kinlab.shipped import install_line
+from kinlab.tui.web.gate import Gate
 
 
 @pytest.fixture
@@ -56,6 +59,7 @@ def test_it_says_where_it_is_answers_there_and_ends_at_ctrl_c(started, tmp_path)
     process, place, line = started("--sessions", "3")
     assert "3 visitors" in line
     assert "this machine alone" in line
+    assert os.name != "posix" or (tmp_path / "visitors").stat().st_mode & 0o077 == 0
     with urllib.request.urlopen(place, timeout=60) as page:
         assert page.status == 200
         assert 'class="textual-terminal"' in page.read().decode()
@@ -64,6 +68,19 @@ def test_it_says_where_it_is_answers_there_and_ends_at_ctrl_c(started, tmp_path)
     assert process.returncode == 0
     assert f"{tmp_path / 'visitors'}" in out
     assert err == ""
+
+
+def test_a_class_goes_on_though_nobody_reads_along(started):
+    process, place, _ = started("--sessions", "1")
+    process.stderr.close()
+    key = {"Sec-WebSocket-Version": "13", "Sec-WebSocket-Key": "a" * 22 + "=="}
+    ask = urllib.request.Request(f"{place}/ws", headers={"Origin": place, "Upgrade": "websocket", **key})
+    for _ in range(2):  # the first leaves its place to the second
+        # No whole handshake, as urllib asks for every connection to be closed.
+        with pytest.raises(urllib.error.HTTPError) as refused:
+            urllib.request.urlopen(ask, timeout=60)
+        assert refused.value.code == 400
+        refused.value.close()
 
 
 def test_a_foreign_name_is_refused(started):
@@ -89,6 +106,7 @@ def test_a_port_that_is_taken_is_named(kinlab):
 @pytest.mark.parametrize(
     ("args", "text"),
     [
+        (["--host", "", "--sessions", 0], "0.0.0.0 for everybody"),
         (["--sessions", 0], "from 1 on"),
         (["--port", 65536], "0 to 65535"),
         (["--port", -1], "0 to 65535"),
@@ -102,10 +120,22 @@ def test_what_cannot_be_is_refused(kinlab, args, text):
     assert text in run.err
 
 
-def test_an_address_that_is_not_here_is_told(kinlab):
-    run = kinlab("serve", "--host", "203.0.113.7", "--port", 0)
+@pytest.mark.parametrize(
+    ("host", "text"), [("203.0.113.7", "cannot listen on 203.0.113.7"), ("a..b", "a..b is no address")]
+)
+def test_an_address_that_is_not_here_is_told(kinlab, host, text):
+    run = kinlab("serve", "--host", host, "--port", 0)
     assert run.code == 1
-    assert "cannot listen on 203.0.113.7" in run.err
+    assert text in run.err
+
+
+def test_a_folder_for_visitors_that_cannot_be_made_is_told_before_anybody_comes(
+    kinlab, monkeypatch, tmp_path
+):
+    (tmp_path / "file").touch()
+    monkeypatch.setenv("KINLAB_HOME", str(tmp_path / "file"))
+    run = kinlab("serve", "--host", "a..b")
+    assert "visitors: cannot be made: Not a directory; $KINLAB_HOME" in run.err
 
 
 def test_an_open_address_says_what_it_exposes(capsys):
@@ -120,7 +150,13 @@ def test_an_open_address_says_what_it_exposes(capsys):
 def test_an_address_can_be_typed_into_a_browser():
     assert _address("127.0.0.1", 8000) == "http://127.0.0.1:8000"
     assert _address("::1", 8000) == "http://[::1]:8000"
-    assert socket.gethostname() in _address("0.0.0.0", 8000)
+    # For everybody: the machine's number in its network, or its name where it is in none.
+    number = urlsplit(_address("0.0.0.0", 8000)).hostname
+    assert Gate.of("0.0.0.0").objection(f"{number}:8000", None, needs_origin=False) == ""
+    if number != socket.gethostname().casefold():
+        with socket.socket() as mine:
+            mine.bind((number, 0))  # It is this machine's own.
+        assert number not in ("0.0.0.0", "127.0.0.1")
 
 
 def test_where_it_is_as_json(started, tmp_path):

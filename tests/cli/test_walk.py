@@ -175,9 +175,7 @@ def test_ctrl_c_ends_a_walk(kinlab, monkeypatch, after):
 
 
 def test_a_servo_that_does_not_let_go_is_named(kinlab, monkeypatch):
-    from kinlab.rig import Rig
-
-    monkeypatch.setattr(Rig, "_off", lambda rig, number: number != 7)
+    monkeypatch.setattr("kinlab.rig.release._is_off", lambda bus, servo: servo != 7)
     answer = kinlab(*SHORT, "--json")
     assert answer.json["torque_off_unconfirmed"] == [7]
     assert answer.err == "kinlab: torque off is not confirmed by servo 7\n"

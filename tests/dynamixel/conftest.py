@@ -3,7 +3,6 @@
 import csv
 import subprocess
 import sys
-import time
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -14,10 +13,11 @@ from kinlab.dynamixel import Bus, Chain, MemoryPort, SimulatedClock
 from kinlab.dynamixel.servo import Servo, Supply, build_servos
 
 HERE = Path(__file__).parent
+PATIENCE = 60.0  # s that a busy machine may take to start a program, or to let it answer
 
 
 @pytest.fixture
-def emulate(tmp_path: Path):
+def emulate(tmp_path: Path, eventually: Callable[..., None]):
     """Starts `kinlab emulate` with arguments; gives the link to its pty once that is there."""
     running: list[subprocess.Popen[str]] = []
 
@@ -25,7 +25,7 @@ def emulate(tmp_path: Path):
         link = tmp_path / f"ttyDXL{len(running)}"
         command = [sys.executable, "-m", "kinlab", "emulate", *arguments, "--pty", str(link)]
         running.append(subprocess.Popen(command, stdout=subprocess.PIPE, text=True))
-        wait_until(link.exists)
+        eventually(link.exists)
         return link
 
     start.running = running
@@ -33,15 +33,7 @@ def emulate(tmp_path: Path):
     for process in running:
         if process.poll() is None:
             process.terminate()
-            process.communicate(timeout=10)
-
-
-def wait_until(holds: Callable[[], bool], seconds: float = 20.0) -> None:
-    """Come back when that holds, fail if it never does."""
-    end = time.monotonic() + seconds
-    while not holds():
-        assert time.monotonic() < end, "waited in vain"
-        time.sleep(0.01)
+            process.communicate(timeout=PATIENCE)
 
 
 @pytest.fixture

@@ -155,6 +155,55 @@ class TestErrors:
             open_port("emu:no-such-robot")
 
 
+class TestLateAnswers:
+    """Answers that come after their request was repeated, and would do for those to the next one."""
+
+    @pytest.fixture
+    def late(self, bus_of):
+        """A bus whose answers come when the bus has just begun to ask again."""
+        bus = bus_of(("AX-12A", [1]), ("XL430", [2]))
+        bus.port.chain.faults.delay = 0.002
+        bus.port.chain.servo(1).forced.add("overload")
+        return type(bus)(bus.port, protocol=1)
+
+    def test_of_a_ping_are_not_taken_for_those_to_a_read(self, late):
+        assert late.ping(1).model == "AX-12A"
+        assert late.alarms == {1: ["overload"]}
+
+    def test_of_one_register_are_not_taken_for_those_of_another(self, late):
+        late.ping(1)
+        asked = ("goal_position", "ccw_angle_limit", "punch", "present_voltage", "id", "baud_rate")
+        for _ in range(3):
+            assert [late.read(1, name) for name in asked] == [512, 1023, 32, 120, 1, 1]
+
+    def test_of_another_servo_are_passed_over(self, bus_of):
+        bus = bus_of(("AX-12A", [1]), ("AX-12A", [2]))
+        bus.port.chain.faults.delay = 0.002
+        once, again = (type(bus)(bus.port, protocol=1, retries=retries) for retries in (0, 2))
+        with pytest.raises(NoAnswerError):
+            once.ping(1)
+        bus.port.chain.servo(2).forced.add("overload")
+        assert again.ping(2).id == 2
+        assert again.alarms == {2: ["overload"]}
+
+    def test_of_many_servos_either(self, late):
+        bus = type(late)(late.port, protocol=2)
+        for _ in range(3):
+            assert bus.sync_read("position_p_gain", [2]) == {2: 640}
+            assert bus.sync_read("position_d_gain", [2], fast=True) == {2: 4000}
+
+    def test_a_scan_asks_again_what_a_servo_is_once_it_has_answered(self, bus_of):
+        bus = bus_of(("AX-12A", [1]))
+        answer, told = bus.port.chain.obey, []
+
+        def forgetful(packet, now, baud):
+            told.append(packet.name)
+            return [] if told == ["PING", "READ"] else answer(packet, now, baud)
+
+        bus.port.chain.obey = forgetful
+        assert [found.id for found in type(bus)(bus.port, protocol=1).scan([1])] == [1]
+
+
 def test_an_adapter_that_hears_itself(bus_of):
     bus = bus_of(("AX-12A", [1]), ("XL430", [2]))
     bus.port.chain.faults.echo = True

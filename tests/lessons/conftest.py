@@ -14,7 +14,8 @@ HERE = Path(__file__).parent
 @pytest.fixture(autouse=True)
 def home(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.setenv("KINLAB_HOME", str(tmp_path / "home"))
-    monkeypatch.delenv("KINLAB_LANG", raising=False)
+    for name in ("KINLAB_LANG", "KINLAB_LESSONS"):
+        monkeypatch.delenv(name, raising=False)
     return tmp_path / "home"
 
 

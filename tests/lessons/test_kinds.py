@@ -1,6 +1,7 @@
 """What is said to right and wrong replies, kind by kind."""
 
 import time
+from dataclasses import replace
 
 import pytest
 
@@ -43,6 +44,7 @@ def said(course: Course, name: str, reply: str, language: str = "en") -> Verdict
         ("vector", "86 -12 90", "partly", "Right so far: u, v. The rest puts it 8 mm off."),
         ("vector", "83 -15 101", "near", "Close: it is 5.2 mm off."),
         ("vector", "1 2 3", "wrong", "mm off"),
+        ("vector", "86.7 -12.7 98.7", "near", "Close: it is 1.21 mm off."),
         ("joints", "7.94 26 -102", "right", "your foot lands"),
         ("joints", "0.1386 0.454 -1.781", "unit", "in radians"),
         ("joints", "7.94 26 102", "sign", "the sign of gamma"),
@@ -69,6 +71,7 @@ def said(course: Course, name: str, reply: str, language: str = "en") -> Verdict
         ("gait", "L1 L1 R2 R1", "items", "Missing: L2"),
         ("gait", "L1 X2", "no-item", "'X2' is none of the items"),
         ("path", "target, angles, ticks", "right", ""),
+        ("path", "angles, ticks, target", "first", ""),
         ("choice", "b", "right", "86 is more than 12."),
         ("choice", "A)", "wrong", "12 is less than 86."),
         ("choice", "q", "no-option", "a, b"),
@@ -76,7 +79,10 @@ def said(course: Course, name: str, reply: str, language: str = "en") -> Verdict
         ("mistake", "(1)", "wrong", "Pythagoras"),
         ("mistake", "٢", "right", ""),
         ("mistake", "7", "no-line", "from 1 to 2"),
+        ("mistake", "line 2", "right", ""),
+        ("mistake", "R2", "no-line", "from 1 to 2"),
         ("state", "write 1 goal_position 425; wait 2", "right", ""),
+        ("state", "write 1 goal_position 425", "right", ""),
         ("state", "write 1 goal_position 500", "wrong", "present_position of servo 1"),
         ("state", "nonsense 1", "line", "Line 1 (nonsense 1)"),
         ("hidden", "write 1 goal_position 675", "wrong", "goal_position of servo 1 is 512."),
@@ -142,6 +148,23 @@ def test_every_pose_that_gets_there_passes_unless_a_joint_cannot_turn_so_far(sam
     assert said(samples, "joints", "7.94347 26.01406 257.95584").code == "limit"
 
 
+def test_angles_are_right_a_whole_turn_further(samples: Course) -> None:
+    task = Task.of(samples.lesson("elbow"), "mirror", "ani")
+    first, second = task.answer
+    assert judge(task, f"{first:.2f} {second:.2f}").ok
+    assert judge(task, f"{first + 360:.2f}° {second - 360:.2f}°").ok
+    assert judge(task, f"{first:.2f} {second + 180:.2f}").code == "partly"
+
+
+def test_what_has_to_be_exact_says_so(samples: Course) -> None:
+    task = Task.of(samples.lesson("control-tables"), "address", "student-1")
+    assert kind_of(task).shape(task) == "A number (no unit), exactly."
+    assert judge(task, f"{task.answer}").ok
+    big = Task(task.lesson, task.exercise, task.seed, "id", task.shared)
+    big.__dict__["answer"] = 50
+    assert judge(big, "51").message == "Sudah dekat, tetapi di sini harus tepat. Hitung sekali lagi."
+
+
 def test_the_lesson_speaks_the_students_language(samples: Course) -> None:
     assert said(samples, "number", "-172", "id").message == "(id) There is no minus in 86."
     assert "mm dari sasaran" in said(samples, "joints", "60 60 60", "id").message
@@ -164,6 +187,19 @@ def test_a_state_is_reached_by_packets_and_by_nothing_else(samples: Course, line
     with pytest.raises(UsageError):
         bench.execute(line)
     assert bench.lines == []
+
+
+def test_a_goal_takes_verbs_away_and_hides_what_a_real_bus_hides(samples: Course) -> None:
+    task = Task.of(samples.lesson("every-kind"), "state", "ani")
+    open_bench = Workbench(task)
+    assert open_bench.execute("servo 1").ok
+    task.__dict__["answer"] = replace(task.answer, forbidden=("scan",), as_real=True)
+    bench = Workbench(task)
+    with pytest.raises(UsageError, match="'scan' is not for this exercise"):
+        bench.execute("scan")
+    with pytest.raises(UsageError, match="real bus"):
+        bench.execute("servo 1")
+    assert bench.execute("read 1 led").ok
 
 
 def test_too_long_a_wait_is_refused_and_shorter_ones_still_work(samples: Course) -> None:

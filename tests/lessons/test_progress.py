@@ -12,7 +12,7 @@ import pytest
 
 from kinlab.errors import FileError, UsageError
 from kinlab.lessons import Course, Progress, Sitting
-from kinlab.lessons.progress import Event, profiles
+from kinlab.lessons.progress import Event, profiles, standing
 
 WRITER = """
 import sys
@@ -130,7 +130,9 @@ def test_a_file_of_a_newer_kinlab_is_left_alone(tmp_path: Path) -> None:
     assert path.read_text().startswith('{"format": 2')
 
 
-@pytest.mark.parametrize("name", ["", "../ani", "a/b", ".hidden", "x" * 65, "a b", "a\n"])
+@pytest.mark.parametrize(
+    "name", ["", "../ani", "a/b", ".hidden", "x" * 65, "a b", "a\n", "𠀀" * 64, "ΐ" * 64]
+)
 def test_a_profile_has_a_name_that_is_no_path(name: str, tmp_path: Path) -> None:
     with pytest.raises(UsageError):
         Progress(name, tmp_path)
@@ -183,6 +185,18 @@ def test_standing_follows_the_events(samples: Course, tmp_path: Path) -> None:
     assert [line.get("event") for line in lines] == [
         None, "hint", "try", "try", "try", "shown", "try", "try", "reset",
     ]  # fmt: skip
+
+
+def test_what_comes_after_the_right_reply_changes_nothing() -> None:
+    def event(kind: str, ok: bool = False) -> Event:
+        return Event.now(kind, "lesson", 1, "exercise", ok=ok)
+
+    solved = [event("try"), event("try", ok=True)]
+    assert standing(solved, "lesson", 1, "exercise").tries == 2
+    assert standing([*solved, event("try"), event("shown")], "lesson", 1, "exercise") == standing(
+        solved, "lesson", 1, "exercise"
+    )
+    assert standing([event("shown"), *solved], "lesson", 1, "exercise").status == "shown"
 
 
 def test_a_new_version_of_a_lesson_begins_anew(samples: Course, tmp_path: Path) -> None:

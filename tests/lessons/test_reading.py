@@ -40,10 +40,13 @@ WRONG = [
     (("version = 1\n", "version = \n"), "mine/en.md:4: no valid TOML"),
     (("beta = {", "beta = { step = 2, "), "mine/en.md:11: no valid TOML"),
     (("step = 5 }", "step = 0 }"), "mine/en.md:11: parameter 'beta' goes up"),
-    (("from = 10, to = 45, step = 5", "from = 10, to = 4500000, step = 1"), "more than 100000 values"),
+    (("from = 10, to = 45, step = 5", "from = 10, to = 4500000, step = 1"), "more than 1000 values"),
     (('kind = "number"', 'kind = "nummer"'), "no kind of exercise 'nummer'; did you mean number"),
     (("tolerance = 0.5\n", ""), "a number has a 'tolerance' in its unit, or a 'relative' one"),
-    (("tolerance = 0.5\n", 'tolerance = "much"\n'), "mine/en.md:30: 'tolerance' is a number, not 'much'"),
+    (
+        ("tolerance = 0.5\n", 'tolerance = "much"\n'),
+        "mine/en.md:30: 'tolerance' is a number from 0, not 'much'",
+    ),
     (('id = "height"', 'id = "leg"'), "mine/en.md:27: two blocks have the id 'leg'"),
     (('id = "height"', 'id = "../x"'), "mine/en.md:27: exercise: 'id' is a name in small letters"),
     (("with = { alpha = 0 }\n```", "with = { alpha = 0 }"), "the block has no end"),
@@ -55,8 +58,23 @@ WRONG = [
     (("order = 1000", f"order{'.a' * 5000} = 1"), "no valid TOML: maximum recursion depth"),
     (("order = 1000", "order = nan"), "mine/en.md:6: 'order' is a number, not nan"),
     (("{ from = 10, to = 45, step = 5 }", "{ pick = [inf] }"), "mine/en.md:11: parameter 'beta' picks"),
-    (("step = 5 }", "step = 1e-300 }"), "more than 100000 values"),
+    (("step = 5 }", "step = 1e-300 }"), "more than 1000 values"),
     (('kind = "number"\n', ""), "mine/en.md:26: the field 'kind' is missing"),
+    (
+        ("version = 1\n", f"version = {'9' * 400}\n"),
+        "mine/en.md:4: 'version' is a whole number from 1, not 999",
+    ),
+    (
+        ("{ from = 10, to = 45, step = 5 }", f"{{ pick = [{'9' * 400}] }}"),
+        "mine/en.md:11: parameter 'beta' picks",
+    ),
+    (("tolerance = 0.5\n", "tolerance = -1\n"), "mine/en.md:30: 'tolerance' is a number from 0, not -1"),
+    (
+        ('robot = "xl', 'instrument = "leq"\nrobot = "xl'),
+        "mine/en.md:7: there is no instrument 'leq'; did you mean leg",
+    ),
+    (('robot = "xl430-hexapod"', 'instrument = "gait"'), "an instrument shows a 'robot', and none is named"),
+    (("sign = ", "sing = "), "mine/en.md:41: 'number' has no verdict 'sing'; did you mean sign"),
     (('title = "A title that asks or promises something"', 'title = ""'), "mine/en.md:2: 'title' is empty"),
 ]
 
@@ -101,6 +119,15 @@ def test_an_error_names_file_line_and_field(
     assert message in str(refused.value)
 
 
+def test_a_lesson_in_one_language_alone_is_not_passed_over(lesson: Callable[..., Path]) -> None:
+    folder = lesson()
+    (folder / "en.md").unlink()
+    [problem] = load_course(folder.parent).problems
+    assert str(problem) == "mine/en.md:1: cannot be read: No such file or directory"
+    (folder / "en.md").symlink_to("/nowhere")
+    assert [str(each) for each in load_course(folder.parent).problems] == [str(problem)]
+
+
 def test_a_translation_that_says_more_than_texts_is_refused(lesson: Callable[..., Path]) -> None:
     folder = lesson(other=(('id = "height"', 'id = "height"\nkind = "number"'),))
     with pytest.raises(LessonError, match=r"mine/id\.md:\d+: 'kind' stands in en\.md alone"):
@@ -108,6 +135,38 @@ def test_a_translation_that_says_more_than_texts_is_refused(lesson: Callable[...
     folder.joinpath("id.md").write_text(INDONESIAN.replace('id = "height"', 'id = "hight"'))
     with pytest.raises(LessonError, match=r"no block 'hight'; did you mean height"):
         read_lesson(folder)
+
+
+@pytest.mark.parametrize(
+    ("kind", "message"),
+    [
+        ('kind = "vector"\nnames = ["a"]\ntolerance = 1', "the kind 'vector' needs a list of numbers"),
+        ('kind = "joints"\nnames = ["a"]\ntolerance = 1', "the kind 'joints' needs a Reach"),
+        ('kind = "bytes"', "the kind 'bytes' needs bytes"),
+        ('kind = "order"', "the kind 'order' needs a list of keys"),
+        ('kind = "mistake"\nlines = ["a"]\nwhy = ["b"]', "the kind 'mistake' needs the number of a line"),
+        ('kind = "state"', "the kind 'state' needs a Goal"),
+    ],
+)
+def test_an_answer_of_another_kind_is_the_lessons_fault(
+    lesson: Callable[..., Path], kind: str, message: str
+) -> None:
+    old = 'kind = "number"\nunit = "mm"\ntolerance = 0.5'
+    feedback = '\n[feedback]\nsign = "The foot hangs below the coxa: its height is negative."'
+    folder = lesson((old, kind), (feedback, ""))
+    sitting = Sitting.alone(read_lesson(folder), "ani", "en")
+    with pytest.raises(LessonError, match=rf"mine/en\.md:\d+: leg\.height gives -\d+\.\d+, and .*{message}"):
+        sitting.check("height", "1")
+
+
+def test_as_many_names_as_numbers(lesson: Callable[..., Path]) -> None:
+    folder = lesson(
+        ('kind = "number"', 'kind = "vector"\nnames = ["a", "b"]'),
+        ('answer = "leg.height"', 'answer = "leg.foot"\nwith = { alpha = 0 }'),
+        ('\n[feedback]\nsign = "The foot hangs below the coxa: its height is negative."', ""),
+    )
+    with pytest.raises(LessonError, match="'names' are 2, and there are 3 numbers"):
+        Sitting.alone(read_lesson(folder), "ani", "en").check("height", "1 2")
 
 
 def test_the_other_lessons_still_work_beside_a_broken_one(lesson: Callable[..., Path]) -> None:
@@ -196,6 +255,7 @@ FINDINGS = [
     ((('answer = "leg.height"', 'answer = "leg.hight"'),), (), "has no 'hight' (of 'leg.hight'); did you mean height"),
     ((('answer = "leg.height"', 'answer = "os.system"'),), (), "answers have no topic 'os'"),
     ((('draw = "leg.side"', 'draw = "leg.sid"'),), (), "has no 'sid'"),
+    ((('answer = "leg.height"', 'answer = "leg.height"\nwith = { beta = 20 }'),), (), "leg.height is not given it"),
     ((("with = { alpha = 0 }", ""),), (), "leg.side needs 'alpha'"),
     ((("with = { alpha = 0 }", "with = { alpa = 0 }"),), (), "takes no 'alpa'; did you mean alpha"),
     ((("with = { alpha = 0 }", 'with = { alpha = "much" }'),), (), "failed: "),
@@ -204,6 +264,8 @@ FINDINGS = [
     ((("order = 1000", "order = 1"),), (), "stands later in the course"),
     ((('prerequisites = ["leg-geometry"]', ""),), (), "uses the term 'femur'"),
     ((('robot = "xl430-hexapod"', 'robot = "xl430"'),), (), "no robot is named 'xl430'; did you mean xl430-hexapod"),
+    ((('robot = "xl430-hexapod"', 'robot = "receptionist-arm"\ninstrument = "gait"'),), (), "has no legs to walk on"),
+    ((("[params]\nbeta", '[values.robot]\ncompute = "leg.height"\n[params]\nbeta'),), (), "leg.height(robot="),
     ((("minutes = 10\n", 'minutes = 10\nexplains = ["gayt"]\n'),), (), "explains 'gayt', which"),
     ((("{beta} degrees", "{bta} degrees"),), (), "no value is named 'bta'"),
     ((('solution = "h = {answer:.1f} mm"', 'solution = "h = {answer:.9999f} mm"'),), (), "no format"),
@@ -257,7 +319,7 @@ def test_lint_finds_parameters_that_only_sometimes_fail(lesson: Callable[..., Pa
             ('\n[feedback]\nsign = "Ujung kaki menggantung di bawah coxa: tingginya negatif."', ""),
         ),
     )
-    [finding] = lint(load_course(folder.parent), ["mine"])
+    *_, finding = lint(load_course(folder.parent), ["mine"])
     assert re.search(r"mine/en\.md:\d+: leg\.reach\(.*x=\d+.*\) failed: .* does not reach", str(finding))
 
 
@@ -269,6 +331,20 @@ def test_a_lesson_can_only_name_what_is_there_for_lessons(lesson: Callable[..., 
         for path in folder.iterdir():
             path.unlink()
         folder.rmdir()
+
+
+@pytest.mark.parametrize(
+    "asked",
+    [
+        'answer = "yielding.cycles"\nwith = { alpha = 0.2, share = 100 }',
+        'answer = "yielding.cycles"\nwith = { alpha = 1e-9, share = 50 }',
+        'answer = "gaits.orders"\nwith = { legs = 1000000000 }',
+    ],
+)
+def test_no_lesson_asks_for_endless_work(lesson: Callable[..., Path], asked: str) -> None:
+    folder = lesson(('answer = "leg.height"', asked))
+    with pytest.raises(LessonError, match=r"mine/en\.md:\d+: .* failed: ValueError"):
+        _ = Task.of(read_lesson(folder), "height", "ani").answer
 
 
 def test_a_setup_reads_no_files(samples: Course, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:

@@ -66,6 +66,42 @@ def test_an_invented_success_counts_for_nothing(samples: Course, tmp_path: Path)
     assert result.lessons["every-kind"].solved == 12
 
 
+def test_what_was_taken_away_is_missed_by_the_summary(samples: Course, tmp_path: Path) -> None:
+    sitting = taken(samples, tmp_path)
+    sitting.hint("number")
+    document = to_json(sitting.progress, samples)
+    whole = document["events"]
+    document["events"] = [event for event in whole if event["ok"] or event["event"] != "try"]
+    assert handed(samples, tmp_path / "ani.json", document).forged == (
+        "every-kind number: the summary says tries 2, and the events make it 1",
+    )
+    document["events"] = [event for event in whole if event["event"] != "hint"]
+    assert handed(samples, tmp_path / "ani.json", document).forged == (
+        "every-kind number: the summary says hints 1, and the events make it 0",
+    )
+
+
+def test_a_solution_that_was_looked_at_is_not_hidden(samples: Course, tmp_path: Path) -> None:
+    sitting = Sitting(samples.lesson("every-kind"), Progress("ani", tmp_path), "en")
+    for reply in ("1", "2", "3"):
+        sitting.check("number", reply)
+    assert sitting.solution("number")
+    assert sitting.check("number", "172").ok
+    document = to_json(sitting.progress, samples)
+    document["events"] = [event for event in document["events"] if event["event"] != "shown"]
+    [sentence] = handed(samples, tmp_path / "ani.json", document).forged
+    assert sentence == "every-kind number: the summary says status shown, and the events make it solved"
+
+
+def test_a_file_that_powershell_wrote_is_read(samples: Course, tmp_path: Path) -> None:
+    sitting = taken(samples, tmp_path)
+    for text in (json.dumps(to_json(sitting.progress, samples)), to_csv(sitting.progress)):
+        path = tmp_path / "ani.out"
+        path.write_bytes(text.replace("\n", "\r\n").encode("utf-16"))
+        [result] = verify(read_handed(path), samples)
+        assert (result.solved, result.forged, result.notes) == (12, (), ())
+
+
 def test_a_neighbours_replies_are_answers_to_other_numbers(samples: Course, tmp_path: Path) -> None:
     document = to_json(taken(samples, tmp_path).progress, samples)
     document |= {"profile": "budi", "seed": "budi"}

@@ -1,7 +1,5 @@
 """The experiments of chapter 4: the line, its singularity and its misprint, and the verdicts on our rig."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 
@@ -15,12 +13,13 @@ from kinlab.papers.receptionist_experiments import (
     drive,
     free_motion,
     observing,
-    one_cycle,
     pushed,
     tracking,
 )
 from kinlab.papers.receptionist_line import FROM, LINES, TO, line, misprint, singularities
 from kinlab.rig.arm import Settings, Setup
+from kinlab.rig.arm.loop import KGF_CM
+from kinlab.rig.arm.trace import script
 
 ROBOT = kinlab.load_robot("receptionist-arm")
 ARM = ROBOT.limb()
@@ -76,20 +75,27 @@ def test_with_the_printed_gains_it_is_not_and_the_linear_model_says_why(path):
     assert claim.verdict == "contradicted"
     assert "1.95 rad/s and zeta 0.051" in claim.cause
     # One reading of what was run gives the paper's figure: it is told, not taken.
-    assert any("slope 32, the factory's: 1.4 deg" in note for note in outcome.notes)
+    assert any("slope 32, the factory's: 1.5 deg" in note for note in outcome.notes)
 
 
-def test_free_motion_leaves_a_torque_error_of_the_papers_size(path):
+def test_free_motion_leaves_a_torque_error_smaller_than_the_papers(path):
     settings = Settings("compliance")
-    (claim,) = free_motion(settings, drive(ROBOT, ARM, path, settings, SETUP)).claims
-    assert 1.0 < claim.measured < 2.0
+    record = drive(ROBOT, ARM, path, settings, SETUP)
+    (claim,) = free_motion(settings, record).claims
+    assert (claim.verdict, 0.5 < claim.measured < 1.5) == ("contradicted", True)
+    # It is the motion's: an arm that is at rest before it moves carries its weight, and no more.
+    assert np.abs(record.torque_error[0]).max() / KGF_CM < 0.6
 
 
 @pytest.mark.parametrize("name", ENVIRONMENTS)
 def test_pushed_the_arm_yields_with_compliance_and_deviates_beyond_fifteen_degrees(path, name):
     outcome = pushed(ROBOT, ARM, path, Settings("compliance", environment=ENVIRONMENTS[name]), SETUP)
-    deviation, yields, _ = outcome.claims
+    deviation, yields, fights = outcome.claims
     assert (deviation.verdict, yields.verdict) == ("reproduced", "reproduced")
+    # Under the push a servo carries what the hand exerts on it.
+    run = outcome.runs["position"]
+    exerted = np.abs(run.torques["pushed"][:, -1])
+    assert float(fights.cause.split()[9]) == pytest.approx(exerted[exerted > 0].mean() / KGF_CM, rel=0.1)
     assert set(outcome.to_json()) == {"experiment", "claims", "notes", "runs"}
 
 
@@ -100,8 +106,20 @@ def test_what_the_observers_find_is_told_joint_by_joint(path):
     assert all("shoulder_pitch" in note and "kgf cm" in note for note in notes)
 
 
+def test_packets_that_were_damaged_do_not_end_the_script(path):
+    record = drive(ROBOT, ARM, path, Settings("none"), SETUP, drop=0.01)
+    texts = [script(record, cycle, ROBOT.name) for cycle in range(len(path.q))]
+    assert any("# damaged: FF" in text for text in texts)
+    for text in texts:
+        frames = [
+            parse_hex(line.partition(" FF")[2]) for line in text.splitlines() if line.startswith("decode")
+        ]
+        assert all(frame[2] + 3 == len(frame) for frame in frames)
+
+
 def test_a_cycle_on_the_wire_is_three_reads_with_answers_and_three_writes(path):
-    lines = one_cycle(ROBOT, ARM, path, replace(Settings(), law="none"), SETUP, 40).splitlines()
+    record = drive(ROBOT, ARM, path, Settings("none"), SETUP)
+    lines = script(record, 40, ROBOT.name).splitlines()
     packets = [line.rsplit("decode", 1)[1].removeprefix(" status") for line in lines if "decode" in line]
     frames = [decode(parse_hex(text), 1) for text in packets]
     assert [frame.id for frame in frames] == [2, 2, 4, 4, 6, 6, 2, 4, 6]

@@ -5,7 +5,6 @@ import re
 import socket
 import subprocess
 import sys
-import time
 from contextlib import suppress
 from urllib.request import urlopen
 
@@ -134,7 +133,7 @@ def test_a_mirror_needs_a_viewer_on_this_machine():
 
 # rerun's listener does not finish its file when it is stopped.
 @pytest.mark.filterwarnings("ignore:RRD file has no footer")
-def test_a_mirror_shows_every_pose_that_it_is_told(home, tmp_path, read_file):
+def test_a_mirror_shows_every_pose_that_it_is_told(home, tmp_path, read_file, eventually):
     def arrived():
         femur = ("/world/body/R2/coxa/femur", "translation", 3)
         with suppress(OSError, RuntimeError, ValueError, KeyError):
@@ -146,22 +145,20 @@ def test_a_mirror_shows_every_pose_that_it_is_told(home, tmp_path, read_file):
     options = ["--save", path, "--bind", LOOPBACK, "--port", str(port)]
     listener = subprocess.Popen([program(), *options], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     try:
-        while True:
-            try:
-                socket.create_connection((LOOPBACK, port)).close()
-                break
-            except OSError:
-                time.sleep(0.05)
+
+        def listens():
+            assert listener.poll() is None, "the listener has ended"
+            with socket.socket() as caller:
+                return caller.connect_ex((LOOPBACK, port)) == 0
+
+        eventually(listens)
         bent = [0.1, 0.4, -1.2]
         body = np.eye(4)
         body[:3, 3] = 0.01, 0.02, 0.1
         with Mirror(robot, f"{LOOPBACK}:{port}") as mirror:
             mirror.show({"R2": bent}, t=1.0)
             mirror.show({"R2": [np.nan, 0.5, -1.2]}, body, t=2.0)
-        # What was sent is in the file some time later.
-        deadline = time.monotonic() + 60
-        while not arrived() and time.monotonic() < deadline:
-            time.sleep(0.1)
+        eventually(arrived)
     finally:
         listener.terminate()
         listener.wait()

@@ -9,18 +9,21 @@ from textual.widgets import Input, OptionList
 
 from kinlab.lessons.kinds import kind_of
 from kinlab.lessons.progress import Progress, progress_folder
+from kinlab.lessons.template import ENGLISH, new_lesson
+from kinlab.tui.stations.gait.diagram import Diagram
 from kinlab.tui.stations.lessons.bench import BytesBench, ChainBench, LegBench
 from kinlab.tui.stations.lessons.browser import List, Search
 from kinlab.tui.stations.lessons.desk import Desk
 from kinlab.tui.stations.lessons.dialogs import Profiles, Sure
 from kinlab.tui.stations.lessons.flow import Block
+from kinlab.tui.stations.lessons.gait_bench import GaitBench
 from kinlab.tui.stations.lessons.page import Page
 from kinlab.tui.stations.lessons.reply import Options, Reply
 from kinlab.tui.stations.lessons.steps import Steps
 from kinlab.tui.stations.packet.prompt import Prompt
 from kinlab.tui.stations.packet.registers import Registers
 from kinlab.tui.stations.packet.tabs import Tabs
-from kinlab.tui.widgets import Slider
+from kinlab.tui.widgets import Choice, Slider
 
 KEYS = {" ": "space", "-": "minus", ".": "full_stop", ",": "comma", "[": "left_square_bracket"}
 
@@ -229,7 +232,7 @@ def test_lines_go_to_the_chain_of_the_exercise_until_its_state_is_reached(take, 
         await press(pilot, "enter")
         assert station.seat.task is None
 
-    take(script, "protocol-1", 5)
+    take(script, "protocol-1", 6)
 
 
 def test_a_bus_that_is_talked_to_as_a_real_one_shows_the_wire_alone(take):
@@ -433,7 +436,7 @@ def test_another_profile_has_numbers_and_progress_of_its_own(take, lab):
         pilot.app.screen.query_one(Input).focus()
         await type_in(pilot, "a b")
         await press(pilot, "enter")
-        assert "is no name for a profile" in lab.text(pilot.app)
+        assert "A name has letters" in lab.text(pilot.app)
         pilot.app.screen.query_one(Input).value = "budi"
         await press(pilot, "enter")
         assert station.progress.profile == "budi"
@@ -587,3 +590,74 @@ def test_the_text_of_a_lesson_is_shown_and_never_obeyed(take, lab):
         assert "[red]not red[/] [/nothing] bold [@click=app.quit]x[/]" in lab.text(pilot.app)
 
     take(script, "leg-geometry", 0)
+
+
+# What stands beside.
+
+
+def test_a_lesson_on_gaits_stands_beside_their_diagram(take, lab):
+    async def script(pilot, station):
+        assert station.seat.instrument == "gait"
+        bench = station.query_one(GaitBench)
+        drawn = station.seat.task.values["gait"]
+        assert bench.cycle.walk.gait.name == drawn
+        assert f"margin {bench.cycle.state.static[0] * 1000:.1f} mm" in lab.text(pilot.app)
+        bench.query_one(Diagram).focus()
+        await press(pilot, "right", "right", "left")
+        assert bench.cycle.frame_at(bench.t) == 1
+        await pilot.click(Diagram, offset=(30, 1))
+        await settle(pilot)
+        assert bench.t / bench.cycle.walk.period == pytest.approx(0.5, abs=0.1)
+        bench.query_one(Choice).value = "wave"
+        await settle(pilot)
+        assert bench.cycle.walk.gait.name == "wave"
+        assert bench.t == 0.0
+        await press(pilot, "f9")
+        assert bench.cycle.walk.gait.name == drawn
+
+    take(script, "gaits", 0, (130, 40))
+
+
+def test_a_word_is_looked_up(take, lab):
+    async def script(pilot, station):
+        await press(pilot, "f11")
+        await type_in(pilot, "femu")
+        shown = lab.text(pilot.app)
+        assert "femur" in shown
+        assert "thigh" in shown
+        await type_in(pilot, "zzz")
+        assert "thigh" not in lab.text(pilot.app)
+        await press(pilot, *["backspace"] * 7)
+        await press(pilot, "down", "down", "up", "escape")
+        assert pilot.app.screen is station
+
+    take(script, "leg-geometry", 1, (60, 20))
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ("{answer:.1f}", "{answr:.1f}", "no value is named 'answr'"),
+        ('kind = "number"\nunit = "mm"\ntolerance = 0.5', 'kind = "state"', "needs a Goal"),
+    ],
+)
+def test_a_lesson_of_ones_own_that_fails_is_named_and_not_opened(
+    take, lab, tmp_path, monkeypatch, old, new, message
+):
+    page = new_lesson("mine", tmp_path)[0]
+    without = ENGLISH[: ENGLISH.index("\n[feedback]")] + ENGLISH[ENGLISH.index("```\n\nEnd") :]
+    page.write_text(without.replace(old, new))
+    (page.parent / "id.md").unlink()
+    monkeypatch.setenv("KINLAB_LESSONS", str(tmp_path))
+
+    async def script(pilot, station):
+        station.open_lesson("mine")
+        await settle(pilot)
+        assert station.seat is None
+        assert "mine/en.md:" in lab.text(pilot.app)
+        assert message in lab.text(pilot.app)
+        station.open_lesson("leg-geometry")
+        await settle(pilot)
+        assert station.seat.name
+
+    take(script, size=(160, 30))

@@ -1,17 +1,21 @@
 """What every station has: keys, help, palette, languages, themes, settings, and a notice where there is no room."""
 
+import asyncio
 import json
 import os
 import signal
 import sys
+import threading
 
 import pytest
+from textual.command import CommandList
 from textual.widgets import Static
 
 from kinlab.errors import FileError
+from kinlab.guests import GUEST
 from kinlab.language import LANGUAGES, words_of
-from kinlab.tui.actions import SHELL
-from kinlab.tui.app import _station, run
+from kinlab.tui.actions import SHELL, bindings
+from kinlab.tui.app import KinlabApp, _station, run
 from kinlab.tui.help import Help
 from kinlab.tui.palette import Actions
 from kinlab.tui.station import Station
@@ -25,13 +29,19 @@ def station(request) -> str:
 
 
 def test_every_action_has_a_label_and_a_help_in_every_language(station):
-    screen = _station(station)
+    screen = _station(station)()
     assert isinstance(screen, Station)
     own, shell = words_of(screen.words).entries, words_of("kinlab.tui").entries
     for action in (*screen.ACTIONS, *SHELL):
         for part in ("label", "help"):
             entry = own.get(f"action.{action.id}.{part}") or shell[f"action.{action.id}.{part}"]
             assert all(entry.values())
+
+
+def test_keys_that_a_browser_keeps_for_itself_are_not_offered_to_a_guest(monkeypatch):
+    keys = {binding.key for binding in bindings(SHELL)}
+    monkeypatch.setenv(GUEST, "1")
+    assert keys - {binding.key for binding in bindings(SHELL)} == {"ctrl+n", "ctrl+t"}
 
 
 def test_the_line_of_keys_holds_help_and_quit_at_every_size_and_focus(lab, station):
@@ -56,6 +66,21 @@ def test_the_bar_names_the_keys_that_open_the_stations_now(lab):
         assert "1 Robot  2 Gait" in lab.rows(pilot.app)[0]
 
     lab.drive(script, "robot")
+
+
+def test_a_station_is_brought_in_beside_the_event_loop_and_the_last_wish_counts(lab, monkeypatch):
+    threads = []
+    monkeypatch.setattr(_station("gait"), "prepare", lambda: threads.append(threading.current_thread()))
+
+    async def script(pilot):
+        await asyncio.gather(*map(pilot.app.open_station, ("gait", "packet")))
+        assert pilot.app.current_mode == "packet"
+        await pilot.press("f3")
+        assert pilot.app.current_mode == "gait"
+
+    lab.drive(script, "robot")
+    assert threads
+    assert threading.main_thread() not in threads
 
 
 def test_the_bar_has_room_for_every_station_at_every_size_in_every_language(lab):
@@ -166,6 +191,12 @@ def test_a_robots_file_that_cannot_be_read_is_named_before_anything_opens(tmp_pa
     assert capsys.readouterr().err.startswith(f"kinlab: {broken}:")
 
 
+def test_a_folder_without_lessons_is_named_before_anything_opens(tmp_path, monkeypatch, capsys):
+    monkeypatch.setenv("KINLAB_LESSONS", str(tmp_path))
+    assert run() == 2
+    assert capsys.readouterr().err == f"kinlab: {tmp_path}: holds no lessons: folders with a file en.md\n"
+
+
 def test_a_robots_file_that_breaks_meanwhile_is_no_mistake_of_kinlab(lab, tmp_path, monkeypatch, capsys):
     async def script(pilot):
         broken = tmp_path / "robots.yaml"
@@ -213,10 +244,13 @@ def test_the_palette_finds_an_action_by_its_name(lab):
     async def script(pilot):
         await pilot.press("ctrl+p")
         await pilot.press(*"dark or")
-        await pilot.pause(0.2)
+        hits = pilot.app.screen.query_one(CommandList)
+        await pilot.app.workers.wait_for_complete()
+        await lab.until(
+            pilot, lambda: hits.highlighted == 0 and "dark or light" in str(hits.options[0].prompt)
+        )
         await pilot.press("enter")
-        await pilot.pause(0.2)
-        assert pilot.app.theme == "kinlab-light"
+        await lab.until(pilot, lambda: pilot.app.theme == "kinlab-light")
 
     lab.drive(script)
 
@@ -243,6 +277,19 @@ def test_a_mistake_of_our_own_leaves_a_report_and_no_page_of_code(lab, capsys):
     assert "KinLab has stopped because of a mistake of its own: ZeroDivisionError" in said
     assert "Please report it" in said
     assert "Traceback" not in said
+
+
+def test_an_answer_that_comes_after_somebody_has_left_is_no_mistake(lab, capsys):
+    async def script(pilot):
+        async def answer():
+            while pilot.app.is_running:
+                await asyncio.sleep(0)
+            pilot.app.screen.query_one("Nothing")
+
+        pilot.app.screen.run_worker(answer())
+
+    lab.drive(script)
+    assert not capsys.readouterr().err
 
 
 def test_ctrl_c_leaves_cleanly(lab):
@@ -277,3 +324,12 @@ def test_settings_that_cannot_be_written_are_told_after_leaving_and_harm_nothing
 
     app = lab.drive(script)
     assert "state" in app.unkept
+
+
+def test_what_could_not_be_kept_is_told_in_the_language_that_was_spoken(tmp_path, monkeypatch, capsys):
+    (tmp_path / "state").write_text("a file where a folder should be")
+    monkeypatch.setattr(KinlabApp, "run", lambda app: setattr(app, "tongue", "id") or app.keep())
+    assert run() == 0
+    told = capsys.readouterr().err
+    assert told.startswith("kinlab: pilihan Anda tidak tersimpan")
+    assert "state" in told

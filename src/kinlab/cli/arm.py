@@ -100,22 +100,23 @@ def _track(
     from kinlab.control import PositionGains
     from kinlab.errors import UsageError
     from kinlab.files import check_writable, write_whole
-    from kinlab.papers.receptionist_experiments import one_cycle, tracking
+    from kinlab.papers.receptionist_experiments import tracking
     from kinlab.rig.arm import Settings
+    from kinlab.rig.arm.trace import script
 
-    if law.casefold() == "compliance":
+    settings = Settings(law, PositionGains(kp, kv), running_sum=summed)
+    if settings.law == "compliance":
         raise UsageError("compliance is what `kinlab arm comply` is for")
     for file in filter(None, (csv, trace)):
         check_writable(file)
     check_rrd(rrd, force)
     machine, arm = arm_of(robots, limb)
     path = line_of(arm, profile, start, end, seconds)
-    settings = Settings(law, PositionGains(kp, kv), running_sum=summed)
     setup = setup_of(slope, margin, punch, torque_limit, speed_limit, real)
     with watching(live, real is not None) as tell:
         record = record_of(machine, arm, path, settings, setup, (), real, baud, tell, drop)
     if trace:
-        write_whole(trace, one_cycle(machine, arm, path, settings, setup, len(path.q) // 2))
+        write_whole(trace, script(record, len(path.q) // 2, machine.name))
     outcome = tracking(machine, arm, path, settings, setup, record)
     write_rrd(rrd, force, lambda: scene_of(machine, outcome))
     answer(outcome, "error", csv, json)

@@ -10,7 +10,7 @@ from typing import Annotated
 import typer
 
 from kinlab.cli.command import JsonOption, print_json
-from kinlab.cli.learn_options import LangOption, LessonsOption, ProfileOption, course_of, progress_of
+from kinlab.cli.learn_options import LessonsOption, ProfileOption, course_of, progress_of
 from kinlab.errors import FileError, UsageError
 from kinlab.names import suggestion
 
@@ -62,7 +62,6 @@ def verify(
     files: Annotated[
         list[Path], typer.Argument(metavar="FILE...", help="What students exported.", show_default=False)
     ],
-    lang: LangOption = None,
     lessons: LessonsOption = None,
     json: JsonOption = False,
 ) -> None:
@@ -74,7 +73,7 @@ def verify(
     from kinlab.lessons.export import Handed, read_handed
     from kinlab.lessons.verify import verify as recompute
 
-    course, _ = course_of(ctx, lang, lessons)
+    course, _ = course_of(ctx, None, lessons)
     handed: list[Handed] = []
     unread: list[str] = []
     for file in files:
@@ -153,11 +152,12 @@ def new(
     json: JsonOption = False,
 ) -> None:
     """Make a lesson from a template, in both languages."""
+    from kinlab.lessons.course import own_lessons
     from kinlab.lessons.template import new_lesson
 
     if name in ctx.parent.command.list_commands(ctx.parent):  # type: ignore[union-attr]
         raise UsageError(f"'{name}' is a command of kinlab learn: a lesson needs another name")
-    folder = lessons or ctx.obj[2] or Path("my-lessons")
+    folder = lessons or ctx.obj[2] or own_lessons() or Path("my-lessons")
     made = new_lesson(name, folder)
     if json:
         print_json({"files": [str(path) for path in made]})

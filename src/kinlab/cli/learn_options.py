@@ -52,7 +52,12 @@ ProfileOption = Annotated[
     typer.Option("--profile", "-p", metavar="NAME", help="Whose progress; decides the numbers. [student]"),
 ]
 LessonsOption = Annotated[
-    Path | None, typer.Option("--lessons", metavar="DIR", help="A folder with lessons of your own besides.")
+    Path | None,
+    typer.Option(
+        "--lessons",
+        metavar="DIR",
+        help="A folder with lessons of your own besides. Default: $KINLAB_LESSONS.",
+    ),
 ]
 
 
@@ -68,7 +73,8 @@ def progress_of(ctx: typer.Context, profile: str | None, speaks: str) -> "Progre
     from kinlab.lessons import Progress
     from kinlab.lessons.progress import PROFILE
 
-    found = Progress(profile or ctx.obj[1] or PROFILE)
+    named = profile if profile is not None else ctx.obj[1]
+    found = Progress(PROFILE if named is None else named)
     if found.set_aside:
         message = words_of("kinlab.lessons").say(
             speaks, "talk.set-aside", path=found.path, aside=found.set_aside.name, count=len(found.events)

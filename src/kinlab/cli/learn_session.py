@@ -138,7 +138,8 @@ class Session:
         while True:
             try:
                 typed = input(self.sitting.say(prompt))
-            except EOFError:
+            except (EOFError, RuntimeError):
+                # A RuntimeError where there is no standard input at all.
                 typer.echo()
                 return After.QUIT
             if not sys.stdin.isatty():
@@ -160,7 +161,7 @@ class Session:
                 return After.GO_ON
 
     def _service(self, word: str, task: Task) -> bool:
-        """What a word asks for; False where it is for the chain."""
+        """What a word asks for; False where it is for the chain, and elsewhere an answer like any other."""
         if word == "hint":
             self._hint(task)
         elif word == "question":
@@ -170,7 +171,7 @@ class Session:
             self._say("how-state" if state else "how", tries=TRIES_BEFORE_SOLUTION)
             return not state
         else:
-            return task.exercise.kind != "state"
+            return False
         return True
 
     def _answer(self, task: Task) -> Callable[[str], bool]:
@@ -249,12 +250,7 @@ class Session:
         return True
 
     def _explain(self, name: str) -> None:
-        glossary = {
-            form.casefold(): term
-            for term in self.course.glossary.values()
-            for form in (term.name, *term.forms)
-        }
-        term = glossary.get(name.casefold())
+        term = self.course.term(name)
         if term is None:
             self._say(
                 "no-term",
@@ -262,8 +258,7 @@ class Session:
                 near=did_you_mean(self.sitting.language, name, self.course.glossary),
             )
             return
-        meaning = term.meanings.get(self.sitting.language, term.meanings["en"])
-        self._markdown(f"**{term.name}**: {meaning}")
+        self._markdown(f"**{term.name}**: {term.meaning(self.sitting.language)}")
 
     def _farewell(self) -> None:
         sitting, lesson = self.sitting, self.sitting.lesson

@@ -1,5 +1,6 @@
 """Lessons as tables and as JSON documents."""
 
+from collections import Counter
 from typing import Any
 
 import typer
@@ -128,16 +129,24 @@ def show_class(course: Course, results: list[Any]) -> None:
 
     from kinlab.cli.show import show, table
     from kinlab.lessons.replies import quote
-    from kinlab.lessons.verify import Result
+    from kinlab.lessons.verify import LONGEST_PATH, Result
 
     students: list[Result] = results
+    known = Counter(result.profile for result in students)
+    # Who names no profile is "student": such are told apart by their files.
+    names = {
+        id(r): quote(r.profile)
+        if known[r.profile] == 1
+        else f"{quote(r.profile)} ({quote(r.file, LONGEST_PATH)})"
+        for r in students
+    }
     every = sum(len(lesson.exercises) for lesson in course.lessons.values())
     people = table("", "student", ("solved", f"of {every}"), ("share", "%"), "shown", "replies", "remarks")
     for result in students:
         remark = f"{len(result.forged)} forged" if result.forged else ""
         notes = f"{len(result.notes)} note(s)" if result.notes else ""
         people.add_row(
-            Text(quote(result.profile)),
+            Text(names[id(result)]),
             str(result.solved),
             f"{100 * result.share(course):.0f}",
             str(sum(lesson.shown for lesson in result.lessons.values())),
@@ -163,6 +172,7 @@ def show_class(course: Course, results: list[Any]) -> None:
     for result in students:
         for kind, sentences in (("forged", result.forged), ("note", result.notes)):
             for sentence in sentences[:MOST_SENTENCES]:
-                typer.echo(f"{quote(result.profile)} ({result.file}), {kind}: {sentence}")
+                file = quote(result.file, LONGEST_PATH)
+                typer.echo(f"{quote(result.profile)} ({file}), {kind}: {sentence}")
             if len(sentences) > MOST_SENTENCES:
                 typer.echo(f"    and {len(sentences) - MOST_SENTENCES} more; --json shows them all")

@@ -15,21 +15,23 @@ from kinlab.lessons.sitting import Sitting
 from kinlab.lessons.task import did_you_mean
 
 # How often the file is looked at, s.
-GLANCE = 0.3
+GLANCE = 0.2
 
 
 def watch_file(sitting: Sitting, path: Path) -> None:
     """Check the answers in a file whenever it changes, until all are right."""
-
     if not path.exists():
         write_whole(path, blank(sitting))
         typer.echo(sitting.say("talk.sheet-made", path=path))
     typer.echo(sitting.say("talk.watching", path=path))
     seen: tuple[int, int] | None = None
+    before: tuple[int, int] | None = None
     known: dict[str, str] = {}
     while sitting.open:
         now = _look(path)
-        if now == seen or now is None:
+        # A file that is still being written is left alone: half an answer is a wrong one.
+        if now in (seen, None) or now != before:
+            before = now
             time.sleep(GLANCE)
             continue
         seen = now
@@ -37,6 +39,7 @@ def watch_file(sitting: Sitting, path: Path) -> None:
         for name, reply in replies.items():
             if known.get(name) == reply:
                 continue
+            known[name] = reply
             if name not in sitting.tasks:
                 typer.echo(
                     sitting.say(
@@ -52,7 +55,6 @@ def watch_file(sitting: Sitting, path: Path) -> None:
             verdict = sitting.check(name, reply)
             style = "good" if verdict.ok else "bad" if verdict.counts else "odd"
             print_lines([[(style, text) for _, text in line] for line in lines(f"{name}: {verdict.message}")])
-        known = replies
         sys.stdout.flush()
     each = [sitting.standing(name).status for name in sitting.tasks]
     typer.echo(
@@ -70,7 +72,6 @@ def _look(path: Path) -> tuple[int, int] | None:
 
 
 def _read(path: Path) -> str:
-
     try:
         return path.read_bytes().decode("utf-8", errors="replace")
     except OSError as error:

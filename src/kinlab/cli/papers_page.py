@@ -9,9 +9,6 @@ from kinlab.cli.papers_tables import MARKS, MEANINGS
 from kinlab.papers.recompute import VERDICTS, Finding, Report
 from kinlab.papers.tables import PrintedTable
 
-# So many columns of figures stand side by side with as many again; more than these one above the other.
-SIDE_BY_SIDE = 5
-
 
 def page(reports: list[Report]) -> str:
     """A whole document; it asks for nothing from elsewhere."""
@@ -50,7 +47,10 @@ def _legend() -> str:
 
 def _summary(reports: list[Report]) -> str:
     """Every paper in a row, with a bar of its verdicts."""
-    heads = "".join(f"<th>{verdict}</th>" for verdict in VERDICTS)
+    heads = "".join(
+        f'<th class="{verdict}"><span class="mark">{MARKS[verdict]}</span> <span class="word">{verdict}</span></th>'
+        for verdict in VERDICTS
+    )
     rows = []
     for report in reports:
         counts = "".join(f'<td><b class="{v}">{report.count(v)}</b></td>' for v in VERDICTS)
@@ -62,7 +62,7 @@ def _summary(reports: list[Report]) -> str:
             f'<td><div class="bar">{bar}</div></td></tr>'
         )
     return (
-        f'<div class="scroll"><table><thead><tr><th>paper</th>{heads}<th>cells and equations checked</th><th></th></tr>'
+        f'<div class="scroll summary"><table><thead><tr><th>paper</th>{heads}<th>checked</th><th></th></tr>'
         f"</thead><tbody>{''.join(rows)}</tbody></table></div>"
     )
 
@@ -73,29 +73,27 @@ def _paper(report: Report) -> Iterator[str]:
     wrong = [f for f in report.findings if f.verdict == "contradicted"]
     if wrong:
         yield f"<h3>What does not follow ({len(wrong)})</h3>{_grouped(wrong)}"
-    text = [f for f in report.findings if f.kind in ("figure", "claim") and f.verdict != "contradicted"]
-    if text:
-        yield f"<details><summary>{len(text)} more figures and claims of the text</summary>{_list(text)}</details>"
-    yield from _equations(report)
+    yield from _verdicts("Figures and claims of the text", ("figure", "claim"), report)
+    yield from _verdicts("Equations", ("equation", "entry"), report)
     for table in report.paper.tables:
         yield from _table(report, table)
 
 
-def _equations(report: Report) -> Iterator[str]:
-    shown = [
-        f
-        for f in report.findings
-        if f.kind == "equation" or (f.kind == "entry" and f.verdict not in ("reproduced", "contradicted"))
-    ]
+def _verdicts(title: str, kinds: tuple[str, ...], report: Report) -> Iterator[str]:
+    """How many of some kinds of findings hold; those that are explained, and behind them those that hold.
+
+    Entries of a matrix that hold stand for themselves in its equation.
+    """
+    shown = [f for f in report.findings if f.kind in kinds]
     odd = [f for f in shown if f.verdict == "explained"]
-    right = [f for f in shown if f.verdict == "reproduced"]
+    right = [f for f in shown if f.verdict == "reproduced" and f.kind != "entry"]
+    wrong = sum(f.verdict == "contradicted" and f.kind != "entry" for f in shown)
     if not shown:
         return
-    wrong = sum(f.verdict == "contradicted" for f in shown)
     told = [f"{len(right)} hold as printed"]
-    told += [f"{len(odd)} are explained below"] if odd else []
+    told += [f"{sum(f.kind != 'entry' for f in odd)} are explained below"] if odd else []
     told += [f"{wrong} stand above"] if wrong else []
-    yield f"<h3>Equations</h3><p>{', '.join(told)}.</p>{_list(odd) if odd else ''}"
+    yield f"<h3>{title}</h3><p>{', '.join(told)}.</p>{_grouped(odd) if odd else ''}"
     if right:
         yield f"<details><summary>{len(right)} that hold as printed</summary>{_list(right)}</details>"
 
@@ -105,10 +103,10 @@ def _table(report: Report, table: PrintedTable) -> Iterator[str]:
     cells = report.cells(table)
     if not cells:
         return
-    wide = " wide" if len(table.units) > SIDE_BY_SIDE else ""
     yield (
         f"<h3>Table {escape(table.number)}: {escape(table.title)}</h3>"
-        f'<div class="pair{wide}"><div><h4>printed</h4>{_grid(table, cells, recomputed=False)}</div>'
+        f'<div class="pair" style="--columns:{len(table.units)}">'
+        f"<div><h4>printed</h4>{_grid(table, cells, recomputed=False)}</div>"
         f"<div><h4>recomputed</h4>{_grid(table, cells, recomputed=True)}</div></div>"
     )
     differ = [f for f in cells.values() if f.verdict in ("explained", "contradicted")]
@@ -139,11 +137,12 @@ def _cell(finding: Finding | None, unit: str, recomputed: bool) -> str:
     own_unit = "" if finding.unit == unit else f" {finding.unit}"
     if not recomputed:
         return f"<td>{escape(finding.printed_text + own_unit)}</td>"
-    text = finding.printed_text if finding.verdict == "measured" else finding.recomputed_text or "none"
+    own = finding.printed_text if finding.verdict == "measured" else finding.recomputed_text
+    text = own + own_unit if own else "none"
     tip = "; ".join(filter(None, (finding.verdict, finding.arithmetic, finding.cause)))
     mark = f'<span class="mark">{MARKS[finding.verdict]}</span>'
     because = f"<small>{escape(finding.explained_text)}{mark}</small>" if finding.explained_text else mark
-    return f'<td class="{finding.verdict}" title="{escape(tip)}">{escape(text + own_unit)}{because}</td>'
+    return f'<td class="{finding.verdict}" title="{escape(tip)}">{escape(text)}{because}</td>'
 
 
 def _grouped(findings: list[Finding]) -> str:

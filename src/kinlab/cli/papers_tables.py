@@ -1,5 +1,6 @@
 """What `kinlab papers` prints for people."""
 
+from collections import Counter
 from collections.abc import Iterator
 from itertools import accumulate, groupby
 
@@ -59,7 +60,8 @@ def show_summary(reports: list[Report]) -> None:
 def show_findings(report: Report, number: str | None, only: Verdict | None) -> None:
     """The findings of a paper, or those of a table or of a verdict, in the order of the print.
 
-    Measured figures of a table stand in one line, and the entries of a matrix that agree in that of its equation.
+    Measured figures of a table stand in one line for each reason, and the entries of a matrix that agree in that of
+    its equation.
     """
     findings = [f for f in report.select(number, only) if f.kind != "entry" or f.verdict != "reproduced"]
     if not findings and number is None:
@@ -71,8 +73,7 @@ def show_findings(report: Report, number: str | None, only: Verdict | None) -> N
         if verdict == "reproduced":
             show(_followed(list(group)), "")
         elif verdict == "measured":
-            for (place, cause), cells in groupby(group, lambda f: (f"Table {f.table}", f.cause)):
-                count = len(list(cells))
+            for (place, cause), count in Counter((f"Table {f.table}", f.cause) for f in group).items():
                 what = "one figure" if count == 1 else f"{count} figures"
                 show(_mark("measured").append(f" {place}, {what}: {cause}", style="not dim"))
             show("")

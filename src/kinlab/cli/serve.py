@@ -31,12 +31,14 @@ def serve(
     """The laboratory in a browser: for oneself, or for a class.
 
     Each visitor gets a session of their own, with progress and settings in a
-    folder of its own. Sessions reach no serial port and no file outside that
-    folder. Needs the extra kinlab[serve]. Ctrl-C ends all of them.
+    folder of its own, which the same browser finds again. The command says
+    where these folders lie; they stay until you delete them. Sessions reach
+    no serial port, no network, and no file outside their folder. Needs the
+    extra kinlab[serve]. Ctrl-C ends all of them.
     """
     import asyncio
 
-    from kinlab.errors import KinlabError, UsageError
+    from kinlab.errors import FileError, KinlabError, UsageError
     from kinlab.files import own_folder
     from kinlab.language import language
     from kinlab.robots import robot_names
@@ -48,6 +50,8 @@ def serve(
         if (error.name or "").startswith("kinlab"):
             raise
         raise KinlabError(f"this needs textual-serve; {install_line('serve')}") from None
+    if not host:
+        raise UsageError("--host is an address: 127.0.0.1 for this machine alone, 0.0.0.0 for everybody")
     if sessions < 1:
         raise UsageError(f"--sessions is a number from 1 on, not {sessions}")
     if not 0 <= port <= 65535:
@@ -55,26 +59,39 @@ def serve(
     robot_names(robots)
     if robots:
         os.environ["KINLAB_ROBOTS"] = str(robots.resolve())
-    folders = own_folder() / "visitors"
+    folders = own_folder().resolve() / "visitors"
+    try:
+        # Their names are what visitors come under: nobody else on this machine is to read them.
+        folders.mkdir(mode=0o700, parents=True, exist_ok=True)
+    except OSError as error:
+        raise FileError(
+            f"{folders}: cannot be made: {error.strerror}; $KINLAB_HOME can name another folder"
+        ) from None
 
     def ready(number: int) -> None:
         if json:
             print_json({"url": _address(host, number), "sessions": sessions, "folders": str(folders)})
         else:
             _announce(host, number, sessions)
-            typer.echo(f"Progress and settings of each visitor: {folders}/NAME")
+            typer.echo(f"Progress and settings of each visitor, until you delete them: {folders}/NAME")
             typer.echo("Ctrl-C ends all sessions.")
         _warn(host)
         sys.stdout.flush()
 
+    def say(text: str) -> None:
+        # A class goes on though nobody reads along any more.
+        with suppress(OSError):
+            typer.echo(text, err=True)
+
     server = LabServer(
-        [sys.executable, "-m", "kinlab.tui"],
+        # -P: nothing that lies where the server was started is taken for a module.
+        [sys.executable, "-P", "-m", "kinlab.tui"],
         host=host,
         port=port,
         places=sessions,
         folders=folders,
         language=language(),
-        say=lambda text: typer.echo(text, err=True),
+        say=say,
     )
     with suppress(KeyboardInterrupt):
         asyncio.run(server.run(ready))
@@ -82,11 +99,23 @@ def serve(
 
 def _address(host: str, port: int) -> str:
     """What to type into a browser."""
+    if host in ("0.0.0.0", "::"):
+        host = _own_number(host)
+    return f"http://[{host}]:{port}" if ":" in host else f"http://{host}:{port}"
+
+
+def _own_number(host: str) -> str:
+    """This machine's address in its network, as other machines seldom know its name; its name where it has none."""
     import socket
 
-    if host in ("0.0.0.0", "::"):
-        host = socket.gethostname()
-    return f"http://[{host}]:{port}" if ":" in host else f"http://{host}:{port}"
+    # Nothing is sent: the system only chooses the way to there. Nobody has these addresses (RFC 5737, RFC 3849).
+    family, far = (socket.AF_INET6, "2001:db8::1") if host == "::" else (socket.AF_INET, "203.0.113.1")
+    try:
+        with socket.socket(family, socket.SOCK_DGRAM) as way:
+            way.connect((far, 9))
+            return str(way.getsockname()[0])
+    except OSError:
+        return socket.gethostname()
 
 
 def _announce(host: str, port: int, sessions: int) -> None:

@@ -105,8 +105,8 @@ def view(
             _show(Path(robot), how)
         return
     machine = load_robot(robot, robots)
-    how = _viewer(spawn, serve, save, port, page_port)
     check_rrd(save, force, "--save")
+    how = _viewer(spawn, serve, save, port, page_port)
     reached = True
     if target is not None:
         recording, reached = _target(machine, limb, target, frame, unit, frames=frames, workspace=workspace)

@@ -36,7 +36,8 @@ class Environment(NamedTuple):
         """
         if not (np.isfinite(self).all() and self.menv > 0 and min(self) >= 0):
             raise UsageError(
-                f"Kf, Kenv, Denv must be finite and not negative, and Menv more than 0: got {self}"
+                "Kf, Kenv, Denv must be finite and not negative, and Menv more than 0: got "
+                f"{', '.join(f'{name} {value:g}' for name, value in self._asdict().items())}"
             )
         return self
 

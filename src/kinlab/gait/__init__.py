@@ -7,7 +7,7 @@ from kinlab.gait.plan import plan
 from kinlab.gait.schedule import Event, Gait, Phase, wave_gait, wave_margin
 from kinlab.gait.stability import Stability, least_margins, stability, theory
 from kinlab.gait.swing import CURVES, Curve, find_curve, jumps
-from kinlab.gait.table import find_gait, gaits_for, load_gaits
+from kinlab.gait.table import find_gait, gaits_for, load_gaits, shipped_gaits
 from kinlab.gait.walk import Walk
 
 __all__ = [
@@ -30,6 +30,7 @@ __all__ = [
     "least_margins",
     "load_gaits",
     "plan",
+    "shipped_gaits",
     "stability",
     "theory",
     "wave_gait",

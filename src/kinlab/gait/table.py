@@ -2,7 +2,9 @@
 
 import os
 import re
+from collections.abc import Mapping
 from fractions import Fraction
+from functools import cache
 from types import MappingProxyType
 
 from kinlab.errors import UsageError
@@ -10,7 +12,8 @@ from kinlab.gait.schedule import Gait
 from kinlab.names import resolve
 from kinlab.robots import Robot
 from kinlab.robots.build import SpecError, provenance
-from kinlab.robots.load import documents
+from kinlab.robots.document import Document
+from kinlab.robots.load import documents, shipped_document
 from kinlab.robots.schema import GaitSpec
 
 _FRACTION = re.compile(r"\d{1,6}(/\d{1,6}|\.\d{1,12})?")
@@ -22,15 +25,27 @@ def load_gaits(file: str | os.PathLike[str] | None = None) -> dict[str, Gait]:
     Raises:
         FileError: naming file, line and field of what is wrong.
     """
-    found: dict[str, Gait] = {}
-    for document in documents(file):
-        for name, data in document.tree.get("gaits", {}).items():
-            place = ("gaits", name)
-            spec = document.convert(data, GaitSpec, place)
-            try:
-                found[name] = build_gait(name, spec)
-            except SpecError as error:
-                raise document.error((*place, *error.place), str(error)) from None
+    found = dict(shipped_gaits())
+    for document in documents(file)[1:]:
+        found |= _gaits_of(document)
+    return found
+
+
+@cache
+def shipped_gaits() -> Mapping[str, Gait]:
+    """KinLab's own gaits by name, whatever `$KINLAB_ROBOTS` says; built once, as nothing can change them."""
+    return MappingProxyType(_gaits_of(shipped_document()))
+
+
+def _gaits_of(document: Document) -> dict[str, Gait]:
+    found = {}
+    for name, data in document.tree.get("gaits", {}).items():
+        place = ("gaits", name)
+        spec = document.convert(data, GaitSpec, place)
+        try:
+            found[name] = build_gait(name, spec)
+        except SpecError as error:
+            raise document.error((*place, *error.place), str(error)) from None
     return found
 
 

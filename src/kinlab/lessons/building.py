@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from kinlab.lessons.format import (
     CALL,
+    CODES,
     EXERCISE,
     FIGURE,
     FRONT,
@@ -25,7 +26,7 @@ if TYPE_CHECKING:
     from kinlab.lessons.reading import Block, Page
 
 At = Callable[[str | None], Place]
-MOST_CHOICES = 100_000
+MOST_CHOICES = 1000
 
 
 def build_figure(texts: Mapping[str, "Block"]) -> Figure:
@@ -91,6 +92,10 @@ def _check_kind(data: Mapping[str, Any], at: At) -> None:
         raise at(None).error("a number has a 'tolerance' in its unit, or a 'relative' one (0.01 for 1 %)")
     if not data["hints"]:
         raise at("hints").error("an exercise has at least one hint")
+    codes = CODES[data["kind"]]
+    for code in data.get("feedback", {}):
+        if code not in codes:
+            raise at(code).error(f"'{data['kind']}' has no verdict '{code}'{suggestion(code, codes)}")
 
 
 def _wording(data: Mapping[str, Any], english: Wording | None) -> Wording:
@@ -205,10 +210,10 @@ def _parameter(name: str, spec: Any, place: Place) -> Parameter:
 
 def _grid(name: str, spec: Mapping[str, Any], place: Place) -> list[int | float]:
     """The numbers of a grid, exact in decimal, so that every language draws the same ones."""
-    if not all(isinstance(v, int | float) and not isinstance(v, bool) for v in spec.values()):
+    if not all(holds(v, "number") for v in spec.values()):
         raise place.error(f"parameter '{name}' goes from a number to a number in steps of a number")
     first, last, step = (Decimal(str(spec[key])) for key in ("from", "to", "step"))
-    if not (first.is_finite() and last.is_finite() and step.is_finite() and step > 0 and last >= first):
+    if not (step > 0 and last >= first):
         raise place.error(f"parameter '{name}' goes up, in steps of more than 0")
     count = int((last - first) / step) + 1
     if count > MOST_CHOICES:

@@ -1,5 +1,6 @@
 """The course: KinLab's own lessons, and those of a folder that a teacher names."""
 
+import os
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -13,6 +14,7 @@ from kinlab.names import resolve
 from kinlab.shipped import shipped
 
 GLOSSARY = "glossary.toml"
+VARIABLE = "KINLAB_LESSONS"
 
 
 @dataclass(frozen=True)
@@ -28,6 +30,10 @@ class Term:
     name: str
     meanings: Mapping[str, str]
     forms: tuple[str, ...] = ()
+
+    def meaning(self, language: str) -> str:
+        """In that language, else in English."""
+        return self.meanings.get(language, self.meanings["en"])
 
 
 @dataclass(frozen=True)
@@ -57,6 +63,12 @@ class Course:
             raise broken
         return self.lessons[resolve(name, self.lessons, "lesson")]
 
+    def term(self, word: str) -> Term | None:
+        """The term of the glossary that a word is a form of, if there is one."""
+        folded = word.casefold()
+        every = self.glossary.values()
+        return next((t for t in every if folded in (f.casefold() for f in (t.name, *t.forms))), None)
+
     def next_for(self, progress: Progress, after: str = "") -> Lesson | None:
         """The first lesson that a student has not finished, behind `after` where there is one; None where all are."""
         every = list(self.lessons.values())
@@ -71,22 +83,21 @@ class Course:
 
 
 def load_course(folder: Path | None = None) -> Course:
-    """KinLab's lessons and, with `folder`, those in it; one of the same name takes the place of ours.
+    """KinLab's lessons and those in `folder` (default `$KINLAB_LESSONS`, if set).
 
-    A lesson with an error is left out and listed; the others still work. Needs no numpy.
+    One of the same name takes the place of ours. A lesson with an error is left out and listed; the others
+    still work. Needs no numpy.
 
     Raises:
         FileError: the folder cannot be read, or holds no lessons.
     """
+    folder = folder or own_lessons()
     lessons: dict[str, Lesson] = {}
     problems: list[LessonError] = []
     glossary: dict[str, Term] = {}
     for root in [shipped("lessons"), *([folder] if folder else [])]:
-        folders = _folders(root)
-        if root is folder and not folders:
-            raise FileError(f"{root}: holds no lessons: folders with a file en.md")
         glossary |= read_glossary(root / GLOSSARY, problems)
-        for each in folders:
+        for each in lesson_folders(root):
             lessons.pop(each.name, None)
             try:
                 lessons[each.name] = read_lesson(each)
@@ -96,11 +107,30 @@ def load_course(folder: Path | None = None) -> Course:
     return Course({lesson.id: lesson for lesson in ordered}, tuple(problems), glossary)
 
 
-def _folders(root: Path) -> list[Path]:
+def own_lessons() -> Path | None:
+    """The folder of lessons of one's own that `$KINLAB_LESSONS` names; None where it names none."""
+    named = os.environ.get(VARIABLE)
+    return Path(named) if named else None
+
+
+def lesson_folders(root: Path) -> list[Path]:
+    """The lessons in a folder, unread.
+
+    Raises:
+        FileError: it cannot be read, or holds none.
+    """
     try:
-        return sorted(each for each in root.iterdir() if each.is_dir() and (each / "en.md").exists())
+        found = sorted(
+            each
+            for each in root.iterdir()
+            # A link that leads nowhere is a page all the same.
+            if each.is_dir() and any(os.path.lexists(each / f"{code}.md") for code in LANGUAGES)
+        )
     except OSError as error:
         raise FileError(f"{root}: cannot be read: {error.strerror}") from None
+    if not found:
+        raise FileError(f"{root}: holds no lessons: folders with a file en.md")
+    return found
 
 
 def read_glossary(path: Path, problems: list[LessonError]) -> dict[str, Term]:

@@ -3,6 +3,7 @@
 import csv
 import io
 import json
+from codecs import BOM_UTF16_BE, BOM_UTF16_LE
 from collections.abc import Iterable
 from dataclasses import asdict, dataclass
 from pathlib import Path
@@ -10,7 +11,7 @@ from typing import Any
 
 from kinlab.errors import FileError
 from kinlab.lessons.course import Course
-from kinlab.lessons.progress import FORMAT, Event, Progress, standing
+from kinlab.lessons.progress import FORMAT, Event, Progress
 
 COLUMNS = ("profile", "seed", *Event.__dataclass_fields__)
 _LARGEST = 50_000_000
@@ -26,7 +27,8 @@ class Handed:
         file: its name, for messages.
         profile, seed: of the student.
         events: all of them.
-        claimed: by (lesson, version, exercise), the status that the file itself claims; empty for CSV.
+        claimed: by (lesson, version, exercise), the status, tries and hints that the file itself claims;
+            empty for CSV.
         problems: what could not be read.
     """
 
@@ -34,7 +36,7 @@ class Handed:
     profile: str
     seed: str
     events: tuple[Event, ...]
-    claimed: dict[tuple[str, str, str], str]
+    claimed: dict[tuple[str, str, str], dict[str, Any]]
     problems: tuple[str, ...] = ()
 
 
@@ -80,7 +82,9 @@ def read_handed(path: Path) -> list[Handed]:
     try:
         if path.stat().st_size > _LARGEST:
             raise FileError(f"{path}: is larger than {_LARGEST // 1_000_000} MB")
-        text = path.read_text(encoding="utf-8-sig")
+        raw = path.read_bytes()
+        # What PowerShell's > writes.
+        text = raw.decode("utf-16" if raw.startswith((BOM_UTF16_LE, BOM_UTF16_BE)) else "utf-8-sig")
     except OSError as error:
         raise FileError(f"{path}: cannot be read: {error.strerror}") from None
     except UnicodeDecodeError:
@@ -105,7 +109,9 @@ def _from_json(file: str, text: str) -> Handed:
         raise FileError(f"{file}: 'events' and 'exercises' are lists")
     events, problems = _events(enumerate(rows, 1), "event")
     claimed = {
-        (str(c.get("lesson")), str(c.get("version", "")), str(c.get("exercise"))): str(c.get("status"))
+        (str(c.get("lesson")), str(c.get("version", "")), str(c.get("exercise"))): {
+            name: c[name] for name in ("status", "tries", "hints") if name in c
+        }
         for c in claims
         if isinstance(c, dict)
     }
@@ -145,14 +151,3 @@ def _events(rows: Iterable[tuple[int, Any]], what: str) -> tuple[tuple[Event, ..
         except ValueError:
             problems.append(f"{what} {number} cannot be read")
     return tuple(events), tuple(problems)
-
-
-def statuses(handed: Handed, course: Course, events: Iterable[Event]) -> dict[tuple[str, str], str]:
-    """By (lesson, exercise), how the student stands by `events`, where that is not "open"."""
-    kept = list(events)
-    return {
-        (lesson.id, exercise.id): now.status
-        for lesson in course.lessons.values()
-        for exercise in lesson.exercises
-        if (now := standing(kept, lesson.id, lesson.version, exercise.id)).done
-    }

@@ -1,16 +1,17 @@
 """The format of a lesson's file: which fields there are, and what each of them holds."""
 
-import math
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 from kinlab.names import suggestion
 
 ID = r"[a-z0-9]+(-[a-z0-9]+)*"
+# Of a number in a lesson.
+LARGEST = 1e100
 
 
 class Field(NamedTuple):
-    """What a field holds: text, texts, number, whole, yes, table, tables, call or any."""
+    """What a field holds: text, texts, number, margin, whole, yes, table, tables or call."""
 
     holds: str
     needed: bool = False
@@ -21,6 +22,7 @@ WORDS = {
     "text": "a text in quotes",
     "texts": "a list of texts",
     "number": "a number",
+    "margin": "a number from 0",
     "whole": "a whole number from 1",
     "yes": "true or false",
     "table": "a table",
@@ -36,11 +38,15 @@ FRONT = {
     "order": Field("number"),
     "prerequisites": Field("texts"),
     "robot": Field("text"),
+    "instrument": Field("text"),
     "explains": Field("texts"),
     "params": Field("table"),
     "require": Field("call"),
     "values": Field("table"),
 }
+
+# What a lesson's robot is shown by beside its text.
+INSTRUMENTS = ("leg", "gait")
 
 FIGURE = {
     "id": Field("text", needed=True, translated=True),
@@ -66,18 +72,30 @@ EXERCISE = {
 
 # What each kind of exercise has besides.
 KINDS: Mapping[str, Mapping[str, Field]] = {
-    "number": {"unit": Field("text"), "tolerance": Field("number"), "relative": Field("number")},
+    "number": {"unit": Field("text"), "tolerance": Field("margin"), "relative": Field("margin")},
     "vector": {
         "names": Field("texts", needed=True),
         "unit": Field("text"),
-        "tolerance": Field("number", needed=True),
+        "tolerance": Field("margin", needed=True),
     },
-    "joints": {"names": Field("texts", needed=True), "tolerance": Field("number", needed=True)},
+    "joints": {"names": Field("texts", needed=True), "tolerance": Field("margin", needed=True)},
     "bytes": {},
     "order": {"rotation": Field("yes"), "items": Field("table", translated=True)},
     "choice": {"options": Field("table", needed=True, translated=True)},
     "mistake": {"lines": Field("texts", needed=True), "why": Field("texts", needed=True, translated=True)},
     "state": {},
+}
+
+# The verdicts of each kind, whose words a lesson may replace by its `feedback`.
+CODES: Mapping[str, tuple[str, ...]] = {
+    "number": ("right", "unit", "sign", "near", "wrong"),
+    "vector": ("right", "unit", "sign", "swapped", "partly", "near", "wrong"),
+    "joints": ("right", "unit", "sign", "limit", "near", "wrong"),
+    "bytes": ("right", "byte", "short", "long"),
+    "order": ("right", "first", "reversed", "wrong"),
+    "choice": ("right", "wrong"),
+    "mistake": ("right", "wrong"),
+    "state": ("right", "wrong"),
 }
 
 OPTION = {
@@ -134,11 +152,13 @@ def check(data: Mapping[str, Any], fields: Mapping[str, Field], *, translation: 
 
 def holds(value: Any, what: str) -> bool:
     """Whether a value is what a field holds."""
-    number = isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)
+    # Compared, as `math.isfinite` fails at whole numbers that no float can hold.
+    number = isinstance(value, int | float) and not isinstance(value, bool) and abs(value) <= LARGEST
     return {
         "text": isinstance(value, str),
         "texts": isinstance(value, list) and all(isinstance(v, str) for v in value),
         "number": number,
+        "margin": number and value >= 0,
         "whole": number and isinstance(value, int) and value >= 1,
         "yes": isinstance(value, bool),
         "table": isinstance(value, dict),

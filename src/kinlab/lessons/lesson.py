@@ -146,6 +146,7 @@ class Lesson:
         titles, goals: by language.
         prerequisites: ids of the lessons that come before.
         robot: that it is about, "" for none.
+        instrument: "leg" or "gait", to be shown beside the text; "" where there is no robot.
         minutes: that a student needs.
         version: a higher one has other numbers.
         order: its place in the course, ascending.
@@ -161,6 +162,7 @@ class Lesson:
     goals: Mapping[str, tuple[str, ...]]
     prerequisites: tuple[str, ...]
     robot: str
+    instrument: str
     minutes: int
     version: int
     order: float

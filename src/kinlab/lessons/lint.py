@@ -2,7 +2,7 @@
 
 import re
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -10,10 +10,11 @@ from kinlab.errors import KinlabError
 from kinlab.language import LANGUAGES
 from kinlab.lessons import lint_texts
 from kinlab.lessons.course import Course
-from kinlab.lessons.kinds import judge, kind_of
-from kinlab.lessons.lesson import Exercise, Lesson, LessonError, Place
+from kinlab.lessons.filling import names
+from kinlab.lessons.kinds import judge, kind_of, rehearse
+from kinlab.lessons.lesson import Call, Exercise, Lesson, LessonError, Place
 from kinlab.lessons.parameters import exercise_values, lesson_values
-from kinlab.lessons.registry import evaluate, find
+from kinlab.lessons.registry import evaluate, find, takes
 from kinlab.lessons.sitting import WIDTH, Sitting
 from kinlab.lessons.task import Task
 from kinlab.names import suggestion
@@ -65,7 +66,7 @@ def lint(
             found.append(Finding(place, message))
         dead = list(_references(lesson))
         # Where a function is missing, trying its exercises would only say so again.
-        found += dead or _tried(lesson)
+        found += dead or [*_idle(lesson), *_tried(lesson)]
     return list(dict.fromkeys(found))
 
 
@@ -85,12 +86,18 @@ def _prerequisites(course: Course, lesson: Lesson) -> Iterator[Finding]:
         elif before.order >= lesson.order:
             yield Finding(place, f"prerequisite '{name}' stands later in the course (order {before.order:g})")
     if lesson.robot:
+        from kinlab.lessons.robots import find_gait, load_robot
         from kinlab.robots import robot_names
 
         if lesson.robot not in robot_names():
             yield Finding(
                 place, f"no robot is named '{lesson.robot}'{suggestion(lesson.robot, robot_names())}"
             )
+        elif lesson.instrument == "gait":
+            try:
+                find_gait(load_robot(lesson.robot))
+            except KinlabError as error:
+                yield Finding(place, f"the instrument is a gait: {error}")
 
 
 def _all_before(course: Course, name: str) -> set[str]:
@@ -110,6 +117,32 @@ def _references(lesson: Lesson) -> Iterator[Finding]:
             find(call, room)
         except LessonError as error:
             yield _of_error(error)
+
+
+def _idle(lesson: Lesson) -> Iterator[Finding]:
+    """Parameters that a question names and its answer does not depend on: another was meant."""
+    for exercise in lesson.exercises:
+        values = {**lesson.drawn.values, **exercise.drawn.values}
+        drawn = {p.name for p in (*lesson.drawn.parameters, *exercise.drawn.parameters)}
+        asked = {name.partition(".")[0] for name in names(exercise.wording["en"].ask)}
+        for name in sorted((asked & drawn) - _needed(exercise.answer, values)):
+            yield Finding(
+                exercise.answer.place,
+                f"exercise '{exercise.id}': the question names '{name}', and {exercise.answer.name} is not given it",
+            )
+
+
+def _needed(call: Call, values: Mapping[str, Call]) -> set[str]:
+    """The parameters and values that a call takes, also those that its values take."""
+    found = set()
+    for name in takes(find(call, "answers")):
+        if name in call.given:
+            found |= {inner.partition(".")[0] for inner in names(str(call.given[name]))}
+        else:
+            found.add(name)
+    # Without those that were gone through: a lesson may have one lean on itself.
+    rest = {name: value for name, value in values.items() if name not in found}
+    return found.union(*(_needed(values[name], rest) for name in found if name in values))
 
 
 def _tried(lesson: Lesson) -> list[Finding]:
@@ -155,7 +188,7 @@ def _exercise(lesson: Lesson, exercise: Exercise, shared: list[dict[str, Any]]) 
     for i in range(judged):
         seed = f"seed-{i}"
         for code in lesson.languages:
-            _texts(Task(lesson, exercise, seed, code, shared[i]))
+            rehearse(Task(lesson, exercise, seed, code, shared[i]))
         task = Task(lesson, exercise, seed, lesson.languages[i % len(lesson.languages)], shared[i])
         complaint = _judged(task, slips)
         if complaint:
@@ -190,20 +223,6 @@ def _with_answer(task: Task, answer: Any) -> Task:
     other = Task(task.lesson, task.exercise, task.seed, task.language, task.shared)
     other.__dict__["answer"] = answer
     return other
-
-
-def _texts(task: Task) -> None:
-    """Fill every text of an exercise once.
-
-    Raises:
-        LessonError: a placeholder has no value.
-    """
-    _ = task.ask, task.hints, task.solution
-    kind_of(task).shape(task)
-    wording = task.wording
-    for texts in (wording.feedback.values(), wording.slips, wording.why.values()):
-        for text in texts:
-            task.text(text)
 
 
 def _shown(lesson: Lesson, seed: str, language: str) -> Iterator[Finding]:

@@ -26,6 +26,8 @@ EVENTS = ("try", "hint", "shown", "reset")
 TRIES_BEFORE_SOLUTION = 3
 ELSEWHERE = "$KINLAB_HOME can name another folder for the progress"
 _SEED = re.compile(r'"seed": "([^"\\\ufffd]{1,64})"')
+# In bytes: a file's name has at most 255, and that of a damaged one is longer.
+_LONGEST_NAME = 192
 _NAME = re.compile(r"\w[\w.@-]{0,63}")
 
 
@@ -153,7 +155,7 @@ class Progress:
             UsageError: no name for a profile.
             FileError: the file is there and cannot be read.
         """
-        if not _NAME.fullmatch(profile):
+        if not _NAME.fullmatch(profile) or len(profile.casefold().encode()) > _LONGEST_NAME:
             raise UsageError(
                 f"'{profile[:70]}' is no name for a profile: letters, digits and . _ @ -, at most 64"
             )

@@ -13,8 +13,9 @@ from typing import Any
 
 from kinlab.language import LANGUAGES
 from kinlab.lessons.building import build_exercise, build_figure, check_translation, drawn
-from kinlab.lessons.format import FRONT, ID, FormatError, check
+from kinlab.lessons.format import FRONT, ID, INSTRUMENTS, FormatError, check
 from kinlab.lessons.lesson import Lesson, Part, Place, Prose
+from kinlab.names import suggestion
 
 _FENCE = re.compile(r"^(`{3,}|~{3,})\s*([a-z]*)")
 _LINE_OF_TOML = re.compile(r"\(at line (\d+), column \d+\)")
@@ -93,10 +94,22 @@ def read_lesson(folder: Path) -> Lesson:
         name, folder,
         {code: page.front["title"] for code, page in pages.items() if "title" in page.front},
         {code: tuple(page.front["goals"]) for code, page in pages.items() if "goals" in page.front},
-        tuple(front.get("prerequisites", ())), front.get("robot", ""), front["minutes"], front["version"],
-        front.get("order", 1000), tuple(front.get("explains", ())), drawn(front, english.at),
+        tuple(front.get("prerequisites", ())), front.get("robot", ""), _instrument(english), front["minutes"],
+        front["version"], front.get("order", 1000), tuple(front.get("explains", ())), drawn(front, english.at),
         {code: _parts(code, pages) for code in pages}, tuple(pages),
     )  # fmt: skip
+
+
+def _instrument(page: Page) -> str:
+    """What a lesson's robot is shown by."""
+    robot, named = page.front.get("robot", ""), page.front.get("instrument")
+    if named is None:
+        return INSTRUMENTS[0] if robot else ""
+    if named not in INSTRUMENTS:
+        raise page.at("instrument").error(f"there is no instrument '{named}'{suggestion(named, INSTRUMENTS)}")
+    if not robot:
+        raise page.at("instrument").error("an instrument shows a 'robot', and none is named")
+    return str(named)
 
 
 def _parts(code: str, pages: Mapping[str, Page]) -> tuple[Part, ...]:

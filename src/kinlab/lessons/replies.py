@@ -30,12 +30,20 @@ UNITS: dict[str, tuple[str, float]] = {
     "%": ("share", 0.01), "1": ("share", 1.0),
 }  # fmt: skip
 _OTHER_NAMES = {
-    "°": "deg", "degree": "deg", "degrees": "deg", "derajat": "deg", "degs": "deg",
-    "radian": "rad", "radians": "rad", "turns": "turn", "putaran": "turn", "rev": "turn",
-    "sec": "s", "seconds": "s", "second": "s", "detik": "s", "µs": "us", "μs": "us",
-    "°/s": "deg/s", "meter": "m", "metre": "m", "metres": "m", "hz": "Hz",
-    "kgcm": "kgfcm", "baud": "bps", "bit/s": "bps", "percent": "%", "persen": "%",
+    "°": "deg", "degree": "deg", "derajat": "deg",
+    "radian": "rad", "putaran": "turn", "rev": "turn",
+    "millimetre": "mm", "millimeter": "mm", "milimeter": "mm", "centimetre": "cm", "centimeter": "cm",
+    "sentimeter": "cm", "meter": "m", "metre": "m", "kilometre": "km", "kilometer": "km",
+    "sec": "s", "second": "s", "detik": "s", "minute": "min", "menit": "min",
+    "millisecond": "ms", "milidetik": "ms", "microsecond": "us", "mikrodetik": "us", "µs": "us", "μs": "us",
+    "hertz": "Hz", "gram": "g", "kilogram": "kg", "newton": "N", "newtonmetre": "Nm", "newtonmeter": "Nm",
+    "joule": "J", "watthour": "Wh", "watt": "W", "ampere": "A", "amp": "A", "volt": "V",
+    "kgcm": "kgfcm", "baud": "bps", "bit/s": "bps", "kbit/s": "kbps", "mbit/s": "Mbps",
+    "percent": "%", "persen": "%",
 }  # fmt: skip
+# Of no kind but their own.
+_COUNTED = {name: name for name in ("tick", "byte", "bit", "step")}
+_BY_FOLD = {name.casefold(): name for name in UNITS}
 
 # Keys such as arrows, which a terminal types as several characters.
 _ESCAPE = re.compile(r"\x1b(\[[0-9;?]*[ -/]*[@-~]|O.|.)")
@@ -45,9 +53,10 @@ _DIGITS = r"\d+(?:[.,]\d+)?|[.,]\d+|\d+[.,]"
 _PLAIN_DIGITS = r"\d+(?:\.\d*)?|\.\d+"
 _EXPONENT = r"(?:[eE][+-]?\d+)?"
 # Separators, brackets, a word for "about", and the marks of Markdown.
-_BESIDE = " \n\t,;()[]{}|~≈`*$"
+_BESIDE = ' \n\t,;()[]{}|~≈`*$"“”'
 _LABEL = re.compile(r"[^\W\d]\w{0,15}\s*[=:]")
 _FRACTION = re.compile(r"([+-]?\d{1,6})\s*/\s*(\d{1,6})")
+_HEXADECIMAL = re.compile(r"(?<![\w.,])0[xX]([0-9a-fA-F]{1,8})\b")
 _THOUSANDS = re.compile(r"(?<![\d.,])\d{1,3}(?:([.,])\d{3})+(?!\1)[.,]\d+(?![\d.,])")
 
 
@@ -103,6 +112,7 @@ def numbers(reply: str, count: int) -> list[Quantity]:
     """
     text = _LABEL.sub(" ", clean(reply))
     text = _THOUSANDS.sub(_without_thousands, text)
+    text = _HEXADECIMAL.sub(lambda found: str(int(found[1], 16)), text)
     if count == 1:
         text = _FRACTION.sub(lambda f: repr(int(f[1]) / int(f[2])) if int(f[2]) else f[0], text, count=1)
     found: list[Quantity] = []
@@ -125,7 +135,9 @@ def numbers(reply: str, count: int) -> list[Quantity]:
 
 def _scan(text: str, digits: str) -> tuple[list[Quantity], str]:
     """The numbers of a text, and the first thing in it that is neither number nor separator."""
-    pattern = re.compile(rf"(?<![\w.])([+-]?)\s?({digits})({_EXPONENT})\s?({_UNIT}(?:\s(?:m|mm|cm)\b)?)?")
+    pattern = re.compile(
+        rf"(?<![\w.])([+-]?)\s?({digits})({_EXPONENT})\s?({_UNIT}(?:\s(?:m|mm|cm|met(?:er|re)s?)\b)?)?"
+    )
     found: list[Quantity] = []
     end = 0
     for match in pattern.finditer(text):
@@ -156,16 +168,21 @@ def _unit(text: str) -> str:
     if not plain or plain in UNITS:
         return plain
     folded = plain.casefold()
-    if folded in _OTHER_NAMES:
-        return _OTHER_NAMES[folded]
-    by_fold = [name for name in UNITS if name.casefold() == folded]
-    # mN and MN, mw and MW: a case that decides is not guessed.
-    if len(by_fold) == 1:
-        return by_fold[0]
-    singular = folded.rstrip("s")
-    if singular in ("tick", "byte", "bit", "step"):
-        return singular
+    # A rate may be written as a whole word or by its two parts: deg/s, derajat/detik.
+    for parts in ([folded], folded.split("/")):
+        name = "/".join(map(_own_name, parts))
+        if name in UNITS or name in _COUNTED:
+            return name
     raise UnreadableError("unit-unknown", text=quote(text))
+
+
+def _own_name(folded: str) -> str:
+    """The name used here of a unit that is written in small letters, "" where there is none."""
+    for word in (folded, folded.removesuffix("s")):
+        for known in (_OTHER_NAMES, _BY_FOLD, _COUNTED):
+            if word in known:
+                return known[word]
+    return ""
 
 
 def normal_unit(text: str) -> str:

@@ -1,8 +1,9 @@
 """What an answer function gives where a number, a list, bytes or a name does not say enough."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from numbers import Integral, Real
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -12,7 +13,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Reach:
-    """A place that a limb is to reach; any angles that bring it there are right.
+    """A place that a limb is to reach, and with which attitude; any angles that bring it there are right.
 
     Attributes:
         target_mm: the place.
@@ -21,6 +22,7 @@ class Reach:
         lower_deg, upper_deg: limits of the joints; none where they are empty.
         tip: what it is, "foot", "hand" or "tip".
         limb: to be drawn; None where there is none.
+        tilt_deg: how far angles turn the tip from the attitude that is asked for; None where the place alone counts.
     """
 
     target_mm: tuple[float, ...]
@@ -30,6 +32,7 @@ class Reach:
     upper_deg: tuple[float, ...] = ()
     tip: str = "foot"
     limb: "Limb | None" = None
+    tilt_deg: Callable[[Sequence[float]], float] | None = None
 
 
 def limb_reach(limb: "Limb", target_mm: Sequence[float]) -> Reach:
@@ -101,3 +104,24 @@ class Goal:
     baud: int = 1_000_000
     forbidden: tuple[str, ...] = ()
     as_real: bool = False
+
+
+def _number(value: Any) -> bool:
+    return isinstance(value, Real) and bool(np.isfinite(float(value)))
+
+
+def _all(value: Any, each: Callable[[Any], bool]) -> bool:
+    return isinstance(value, list | tuple | np.ndarray) and all(map(each, value))
+
+
+# What an answer function gives, by the kind of exercise: in words, and whether a value is that.
+GIVES: Mapping[str, tuple[str, Callable[[Any], bool]]] = {
+    "number": ("a number", _number),
+    "vector": ("a list of numbers", lambda value: _all(value, _number)),
+    "joints": ("a Reach", lambda value: isinstance(value, Reach) or _all(value, _number)),
+    "bytes": ("bytes", lambda value: isinstance(value, bytes | bytearray)),
+    "order": ("a list of keys", lambda value: _all(value, lambda key: isinstance(key, str))),
+    "choice": ("the key of an option", lambda value: isinstance(value, str)),
+    "mistake": ("the number of a line", lambda value: isinstance(value, Integral)),
+    "state": ("a Goal", lambda value: isinstance(value, Goal)),
+}

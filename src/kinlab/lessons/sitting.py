@@ -218,9 +218,10 @@ class Sitting:
         now = self.standing(name)
         if not now.may_see_solution:
             return None
+        text = task.solution
         if not now.done:
             self._keep("shown", task)
-        return task.solution
+        return text
 
     def standing(self, name: str) -> Standing:
         """How the student stands with an exercise."""

@@ -7,10 +7,10 @@ from typing import Any
 
 from kinlab.language import words_of
 from kinlab.lessons.filling import UnknownNameError, fill
-from kinlab.lessons.lesson import Exercise, Lesson, Wording
+from kinlab.lessons.lesson import Call, Exercise, Lesson, Wording
 from kinlab.lessons.parameters import exercise_values, lesson_values
 from kinlab.lessons.registry import evaluate
-from kinlab.lessons.results import Goal, Reach
+from kinlab.lessons.results import GIVES, Goal, Reach
 from kinlab.names import nearest
 
 
@@ -62,13 +62,27 @@ class Task:
 
     @cached_property
     def answer(self) -> Any:
-        """What the core computes."""
-        return evaluate(self.exercise.answer, "answers", self.values)
+        """What the core computes.
+
+        Raises:
+            LessonError: it cannot, or it gives what is no answer to this kind of exercise.
+        """
+        return self._computed(self.exercise.answer)
 
     @cached_property
     def slips(self) -> list[Any]:
         """The known wrong answers."""
-        return [evaluate(slip, "answers", self.values) for slip in self.exercise.slips]
+        return [self._computed(slip) for slip in self.exercise.slips]
+
+    def _computed(self, call: Call) -> Any:
+        found = evaluate(call, "answers", self.values)
+        wanted, fits = GIVES[self.exercise.kind]
+        if not fits(found):
+            raise call.place.error(
+                f"{call.name} gives {found!r:.40}, and an exercise of the kind"
+                f" '{self.exercise.kind}' needs {wanted}"
+            )
+        return found
 
     @property
     def wording(self) -> Wording:

@@ -6,17 +6,19 @@ the seed was taken too, and then two files have the same seed.
 """
 
 from collections import Counter
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
 from kinlab.errors import KinlabError
 from kinlab.lessons.course import Course
-from kinlab.lessons.export import Handed, statuses
+from kinlab.lessons.export import Handed
 from kinlab.lessons.kinds import judge
-from kinlab.lessons.progress import PROFILE, Event, standing
+from kinlab.lessons.progress import PROFILE, Event, Standing, standing
 from kinlab.lessons.replies import quote
 from kinlab.lessons.task import Task
+
+LONGEST_PATH = 120
 
 
 @dataclass(frozen=True)
@@ -103,12 +105,13 @@ def _recomputed(handed: Handed, course: Course, others: list[Handed]) -> Result:
     if not own:
         forged.append(f"the seed '{quote(handed.seed)}' is not that of the profile '{quote(handed.profile)}'")
     forged += [
-        f"has the same seed as {quote(other.profile)} in {other.file}"
+        f"has the same seed as {quote(other.profile)} in {quote(other.file, LONGEST_PATH)}"
         for other in others
         if other.seed == handed.seed
     ]
     tasks: dict[tuple[str, str], Task] = {}
-    events = []
+    events: list[Event] = []
+    accused = set()
     for event in handed.events:
         if event.event != "try":
             events.append(event)
@@ -121,19 +124,34 @@ def _recomputed(handed: Handed, course: Course, others: list[Handed]) -> Result:
         what = f"{quote(event.lesson)} {quote(event.exercise)}: the reply '{quote(event.reply)}'"
         if event.ok and not found:
             forged.append(f"{what} is said to be right and is wrong")
+            accused.add((event.lesson, event.exercise))
         elif found and not event.ok:
             notes.append(f"{what} is right after all")
-    true = statuses(handed, course, events)
-    for (name, version, exercise), status in handed.claimed.items():
+    for (name, version, exercise), claim in handed.claimed.items():
         # Of another version nothing can be said, and nothing counts; the replies' notes say so.
-        if name not in course.lessons or version not in ("", str(course.lessons[name].version)):
+        lesson = course.lessons.get(name)
+        if lesson is None or version not in ("", str(lesson.version)):
             continue
-        now = true.get((name, exercise), "open")
-        if status == "solved" != now:
-            forged.append(f"{name} {quote(exercise)}: said to be solved, and is {now}")
+        now = standing(events, name, lesson.version, exercise)
+        if claim.get("status") == "solved" != now.status:
+            forged.append(f"{name} {quote(exercise)}: said to be solved, and is {now.status}")
+        elif (name, exercise) not in accused and not handed.problems:
+            forged += _taken_away(
+                name, exercise, claim, standing(handed.events, name, lesson.version, exercise)
+            )
     return Result(
         handed.file, handed.profile, handed.seed, _lessons(course, events), _once(forged), _once(notes)
     )
+
+
+def _taken_away(lesson: str, exercise: str, claim: dict[str, Any], listed: Standing) -> Iterator[str]:
+    """What a file's summary says otherwise than its own events: some were taken away, or changed."""
+    for key, made in {"status": listed.status, "tries": listed.tries, "hints": listed.hints}.items():
+        if key in claim and claim[key] != made:
+            yield (
+                f"{lesson} {quote(exercise)}: the summary says {key} {quote(str(claim[key]))},"
+                f" and the events make it {made}"
+            )
 
 
 def _once(sentences: list[str]) -> tuple[str, ...]:

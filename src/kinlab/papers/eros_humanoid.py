@@ -63,7 +63,7 @@ INVERSE = InverseEquations(
             "22", "-d_z3 sin(gamma_c)", "-d_z4 sin(gamma_c)", "the same where thigh and shank are equal"
         ),
         Misprint(
-            "23", "-d_z3 - d_z4 cos(gamma_c)", "-d_z3 + d_z4 cos(gamma_c)", "the cosine of theta4 is meant"
+            "23", "-d_z3 + (-d_z4) cos(gamma_c)", "-d_z3 + d_z4 cos(gamma_c)", "the cosine of theta4 is meant"
         ),
         Misprint(
             "25",

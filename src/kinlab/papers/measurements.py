@@ -10,6 +10,28 @@ from kinlab.papers.tables import printed_table
 from kinlab.robots import Limb, Robot
 
 
+@dataclass(frozen=True, eq=False)
+class FootTests:
+    """The tests of one foot in xl430-hexapod's Tables 2 to 4: mm, the paper's axes.
+
+    Attributes:
+        wanted: Table 2, where the foot was sent (9, 3).
+        reached: Table 3, where it was measured to be (9, 3).
+        printed: Table 4, the absolute error that is printed for each test (9, 3).
+        averages: its last row (3,).
+    """
+
+    wanted: Array
+    reached: Array
+    printed: Array
+    averages: Array
+
+    @property
+    def off(self) -> Array:
+        """The absolute error (9, 3) that follows from the first two."""
+        return np.asarray(np.abs(self.wanted - self.reached))
+
+
 @dataclass(frozen=True)
 class Measured:
     """A measured error.
@@ -27,6 +49,14 @@ class Measured:
     printed_mm: tuple[float, float, float]
 
 
+def foot_tests() -> FootTests:
+    """Where the foot of xl430-hexapod's paper was sent, where it came to, and what is printed for it."""
+    tables = [printed_table("xl430-hexapod", number) for number in ("2", "3", "4")]
+    wanted, reached, printed = (np.stack([table.column(axis) for axis in "xyz"], axis=-1) for table in tables)
+    averages = [cell.figure.value for cell in tables[-1].rows["average"].values()]
+    return FootTests(wanted, reached, printed, np.array(averages))
+
+
 def measured(robot: Robot, limb: Limb, target: ArrayLike) -> Measured | None:
     """What the paper measured for `target` (3,), limb frame, metres: its own row, else the mean of all rows.
 
@@ -34,29 +64,16 @@ def measured(robot: Robot, limb: Limb, target: ArrayLike) -> Measured | None:
     """
     if robot.paper != "xl430-hexapod" or limb.group != "legs":
         return None
-    wanted, reached, printed = (_places(number) for number in ("2", "3", "4"))
-    off = np.abs(wanted - reached)
+    tests = foot_tests()
     asked = limb.from_limb(target, "paper") * 1000
-    same = np.flatnonzero(np.abs(wanted - asked).max(axis=1) < 1e-6)
-    rows = same if len(same) else np.arange(len(off))
+    same = np.flatnonzero(np.abs(tests.wanted - asked).max(axis=1) < 1e-6)
     if len(same):
-        where, shown = (
-            f"Tables 2 and 3, test {' and '.join(str(i + 1) for i in same)}",
-            printed[same].mean(axis=0),
-        )
+        where, shown = f"test {' and '.join(str(i + 1) for i in same)}", tests.printed[same].mean(axis=0)
     else:
-        where, shown = "Tables 2 and 3, mean of 9", _averages()
-    distance = np.linalg.norm(off[rows], axis=1).mean()
-    return Measured(where, _three(off[rows].mean(axis=0)), float(distance), _three(shown))
-
-
-def _places(number: str) -> Array:
-    table = printed_table("xl430-hexapod", number)
-    return np.stack([table.column(axis) for axis in "xyz"], axis=-1)
-
-
-def _averages() -> list[float]:
-    return [cell.figure.value for cell in printed_table("xl430-hexapod", "4").rows["average"].values()]
+        where, shown = "mean of 9", tests.averages
+    off = tests.off[same] if len(same) else tests.off
+    distance = np.linalg.norm(off, axis=1).mean()
+    return Measured(f"Tables 2 and 3, {where}", _three(off.mean(axis=0)), float(distance), _three(shown))
 
 
 def _three(values: ArrayLike) -> tuple[float, float, float]:

@@ -17,7 +17,6 @@ from kinlab.papers.equations import NONE
 from kinlab.papers.receptionist_line import line, misprint_note, singularities
 from kinlab.rig.arm import ArmServos, Push, Record, RunawayError, Settings, Setup, run
 from kinlab.rig.arm.loop import KGF_CM, TABLE_4_1
-from kinlab.rig.arm.trace import script
 from kinlab.robots import Limb, Robot
 
 CONCLUSION_GAINS = PositionGains(3.8, 0.02)
@@ -137,11 +136,6 @@ def experiment(robot: Robot, limb: Limb, name: str) -> Outcome:
     return tracking(robot, limb, track, settings, setup, record)
 
 
-def one_cycle(robot: Robot, limb: Limb, track: Track, settings: Settings, setup: Setup, cycle: int) -> str:
-    """The packets of one cycle, as a script for the packet sandbox."""
-    return script(drive(robot, limb, track, settings, setup), cycle - 1, robot.name)
-
-
 def tracking(
     robot: Robot, limb: Limb, track: Track, settings: Settings, setup: Setup, record: Record
 ) -> Outcome:
@@ -195,15 +189,14 @@ def free_motion(settings: Settings, record: Record) -> Outcome:
     """Section 4.2.1: the line untouched, measured torque against that by Newton and Euler."""
     worst = float(np.abs(record.torque_error).max() / KGF_CM)
     unfiltered = float(np.abs(record.torques["load"] - record.torques["dynamic"]).max() / KGF_CM)
-    size = "of the same size: " if 1.2 < worst <= 1.5 else ""
     claim = Claim(
         "section 4.2.1",
         "torque errors of up to more than 1.5 kgf cm",
         worst,
         "kgf cm",
         "reproduced" if worst > 1.5 else "contradicted",
-        f"{size}the filter of alpha {settings.alpha:g} lags by {settings.dt * (1 / settings.alpha - 1):.2f} s; "
-        f"unfiltered it would be {unfiltered:.2f} kgf cm, dry friction in the gears and the arm's swinging",
+        f"dry friction in the gears and the arm's swinging, {unfiltered:.2f} kgf cm before the filter of alpha "
+        f"{settings.alpha:g}, which lags by {settings.dt * (1 / settings.alpha - 1):.2f} s",
     )
     return Outcome("compliance in free motion", {"free": record}, (claim,), (_simplified(record),))
 

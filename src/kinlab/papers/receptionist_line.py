@@ -1,5 +1,7 @@
 """The straight line of the arm paper's experiments by resolved motion rate control, with its misprint and without."""
 
+from functools import lru_cache
+
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -14,6 +16,7 @@ from kinlab.robots import Limb
 # Section 4.1.1, in m and the paper's axes: 20 cm along y, 2.5 mm every 16 ms.
 FROM, TO = np.array([-0.11322, 0.07653, 0.0]), np.array([-0.11322, 0.27653, 0.0])
 CYCLE, DURATION = 0.016, 1.28
+LONGEST = 600.0  # s
 # How long an arm that goes there and back waits at each end, s.
 REST = 0.8
 # In the plane theta0 = 0, where J32 is 0, and a line out of it.
@@ -37,11 +40,11 @@ def line(
         start, end: in m and the paper's axes.
 
     Raises:
-        UsageError: no such profile.
+        UsageError: no such profile, or a duration that is none.
         KinlabError: a place on the way is out of reach.
     """
-    if not 0 < duration < np.inf:
-        raise UsageError(f"a line takes more than 0 s, got {duration}")
+    if not 0 < duration <= LONGEST:
+        raise UsageError(f"a line takes more than 0 s and at most {LONGEST:g}, got {duration:g}")
     law = PROFILES[resolve(profile, PROFILES, "profile")]
     ends = [limb.to_limb(np.asarray(place, float), "paper") for place in (start, end)]
     _, points = straight_line(ends[0], ends[1], law, duration, CYCLE)
@@ -55,6 +58,7 @@ def line(
     return follow(limb.axes, limb.links, found.q[0], points, CYCLE)
 
 
+@lru_cache(maxsize=4)
 def there_and_back(limb: Limb, profile: str = "quintic", rest: float = REST) -> Track:
     """The experiment's line and back, with a rest of `rest` seconds at each end: a track that ends where it begins."""
     points = line(limb, profile).points

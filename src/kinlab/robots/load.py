@@ -63,7 +63,7 @@ def documents(file: str | os.PathLike[str] | None = None) -> tuple[Document, ...
         FileError: a file cannot be read, or says something that it must not.
     """
     chosen = file or os.environ.get(VARIABLE)
-    own = _shipped_document()
+    own = shipped_document()
     return (own, Document.read(Path(chosen), str(chosen))) if chosen else (own,)
 
 
@@ -119,9 +119,10 @@ class _Shelf:
 @cache
 def _own_shelf() -> _Shelf:
     """KinLab's own robots: each is built once, as nothing can change it."""
-    return _Shelf(_shipped_document())
+    return _Shelf(shipped_document())
 
 
 @cache
-def _shipped_document() -> Document:
+def shipped_document() -> Document:
+    """KinLab's own robots file."""
     return Document.read(shipped("robots.yaml"), "robots.yaml")

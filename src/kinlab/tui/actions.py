@@ -1,9 +1,14 @@
 """What a person can do, declared once: the key, the line of keys, the palette and the help are made from it."""
 
+import os
 from collections.abc import Iterable
 from dataclasses import dataclass
 
 from textual.binding import Binding, BindingType
+
+from kinlab.guests import is_guest
+
+KEPT_BY_BROWSERS = ("ctrl+n", "ctrl+t", "ctrl+w")  # a window, a tab, its end: no page ever hears of them
 
 
 @dataclass(frozen=True)
@@ -34,7 +39,7 @@ class Action:
         return self.each or (self.run or self.id,)
 
     def bindings(self) -> list[Binding]:
-        """Its keys as Textual takes them."""
+        """Its keys as Textual takes them, those alone that reach it."""
         keys = self.keys.split(",") if self.keys else []
         runs = self.each or self.runs * len(keys)
         return [
@@ -48,6 +53,7 @@ class Action:
                 id=f"{self.id}.{i}",
             )
             for i, (key, run) in enumerate(zip(keys, runs, strict=True))
+            if not (is_guest() and key in KEPT_BY_BROWSERS)
         ]
 
 
@@ -65,6 +71,8 @@ def named(binding: Binding) -> str:
     )
 
 
+SUSPEND = Action("suspend", "ctrl+z", "app.suspend_process", display="^z", shown=False)
+
 # What works on every station, in the order of the line of keys. The stations' own keys are added by the app.
 SHELL = (
     Action("help", "question_mark,f1", "app.help", display="?"),
@@ -73,6 +81,7 @@ SHELL = (
     Action("next_station", "ctrl+n", "app.next_station", display="^n"),
     Action("theme", "ctrl+t", "app.theme", display="^t", shown=False),
     Action("language", "ctrl+l", "app.language", display="^l", shown=False),
-    Action("suspend", "ctrl+z", "app.suspend_process", display="^z", shown=False),
+    # Behind a browser there is no shell to go back to.
+    *(() if is_guest() or os.name != "posix" else (SUSPEND,)),
     Action("quit", "ctrl+q", "app.quit", display="^q", priority=True),
 )

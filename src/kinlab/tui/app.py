@@ -1,6 +1,7 @@
 """The application: stations as modes, themes, languages, settings; nothing of the laboratory itself."""
 
 import asyncio
+import gc
 import os
 import re
 import signal
@@ -36,10 +37,18 @@ OPEN = tuple(
 )
 
 
-def _station(name: str) -> Screen[Any]:
+def _station(name: str) -> type[Station]:
     module, _, made = STATIONS[name].partition(":")
-    screen: Screen[Any] = getattr(import_module(module), made)()
-    return screen
+    station: type[Station] = getattr(import_module(module), made)
+    return station
+
+
+def _opened(name: str) -> Screen[Any]:
+    return _station(name)()
+
+
+def _prepare(name: str) -> None:
+    _station(name).prepare()
 
 
 def _commands() -> "type[Provider]":
@@ -59,7 +68,7 @@ class KinlabApp(App[None]):
     """
 
     MODES: ClassVar[dict[str, str | Callable[[], Screen[Any]]]] = {
-        name: partial(_station, name) for name in STATIONS
+        name: partial(_opened, name) for name in STATIONS
     }
     COMMANDS: ClassVar[set["type[Provider] | Callable[[], type[Provider]]"]] = {_commands}
     BINDINGS: ClassVar[list[BindingType]] = bindings((*SHELL, *OPEN))
@@ -123,26 +132,41 @@ class KinlabApp(App[None]):
         for name in ("SIGHUP", "SIGTERM"):
             with suppress(NotImplementedError, AttributeError):
                 asyncio.get_running_loop().add_signal_handler(getattr(signal, name), self.exit)
-        self.open_station(self._station)
+        self._show(self._station)
         if self.set_aside is not None:
             text = words_of("kinlab.tui").say(self.tongue, "shell.damaged", file=self.set_aside)
             self.notify(text, severity="warning", timeout=10, markup=False)
 
     # Stations.
 
-    def open_station(self, name: str) -> None:
-        """Go to a station."""
+    def _show(self, name: str) -> None:
         self.settings.station = name
+        # Searches for garbage take longer than a frame where they go through all that a station brings.
+        gc.disable()
         self.switch_mode(name)
+        self.call_after_refresh(self._settle)
 
-    def action_open_station(self, name: str) -> None:
+    def _settle(self) -> None:
+        """What a station has brought stays: nothing looks for garbage in it any more."""
+        gc.freeze()
+        gc.enable()
+
+    async def open_station(self, name: str) -> None:
+        """Go to a station; what is on the screen lives on while a new one is brought in."""
+        self._wanted = name
+        if name not in self._screen_stacks:
+            await asyncio.to_thread(_prepare, name)
+        if self._wanted == name:
+            self._show(name)
+
+    async def action_open_station(self, name: str) -> None:
         """Go to a station."""
-        self.open_station(name)
+        await self.open_station(name)
 
-    def action_next_station(self) -> None:
+    async def action_next_station(self) -> None:
         """Go to the next station in the bar; after the last comes the first."""
         names = list(STATIONS)
-        self.open_station(names[(names.index(self.settings.station) + 1) % len(names)])
+        await self.open_station(names[(names.index(self.settings.station) + 1) % len(names)])
 
     @property
     def stations(self) -> list[Station]:
@@ -198,6 +222,11 @@ class KinlabApp(App[None]):
         self.keep()
         super().exit(*args, **settings)
 
+    def _handle_exception(self, error: Exception) -> None:
+        """An error; where somebody has left, what was under way has no screen to show itself on: that is none."""
+        if self.is_running:
+            super()._handle_exception(error)
+
     def _fatal_error(self) -> None:
         """KinLab itself has failed: no page of code, but where the report is and what is asked for.
 
@@ -224,17 +253,31 @@ class KinlabApp(App[None]):
 def run(station: str | None = None) -> int:
     """Open the laboratory in this terminal, until a person leaves it; its exit code."""
     os.environ.setdefault("TEXTUAL_ANIMATIONS", "none")
-    if os.environ.get("KINLAB_ROBOTS"):
-        from kinlab.robots import robot_names
-
-        try:
-            robot_names()
-        except KinlabError as error:
-            sys.stderr.write(f"kinlab: {error}\n")
-            return error.exit_code
+    try:
+        _check_own_files()
+    except KinlabError as error:
+        sys.stderr.write(f"kinlab: {error}\n")
+        return error.exit_code
     app = KinlabApp(station)
     app.animation_level = "none"
     app.run()
     if app.unkept:
-        sys.stderr.write(f"kinlab: {app.unkept}\n")
+        told = words_of("kinlab.tui").say(app.tongue, "shell.unkept", why=app.unkept)
+        sys.stderr.write(f"kinlab: {told}\n")
     return app.return_code or 0
+
+
+def _check_own_files() -> None:
+    """Read what the environment names before anything opens.
+
+    Raises:
+        KinlabError: it cannot be read.
+    """
+    if os.environ.get("KINLAB_ROBOTS"):
+        from kinlab.robots import robot_names
+
+        robot_names()
+    if folder := os.environ.get("KINLAB_LESSONS"):
+        from kinlab.lessons.course import lesson_folders
+
+        lesson_folders(Path(folder))

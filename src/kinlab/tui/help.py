@@ -39,12 +39,12 @@ class Help(ModalScreen[None]):
 
     def compose(self) -> ComposeResult:
         station = self.station
-        with VerticalScroll():
+        with VerticalScroll() as page:
+            page.border_subtitle = Content(station.say("shell.close_help"))
             yield Static(station.say(f"station.{station.NAME}"), classes="head", markup=False)
             yield Static(station.say("help"), markup=False)
             yield Static(station.say("shell.keys"), classes="head", markup=False)
             yield Static(self._keys())
-            yield Static(station.say("shell.close_help"), classes="head", markup=False)
 
     def _keys(self) -> Content:
         lines = []
@@ -60,7 +60,7 @@ class Help(ModalScreen[None]):
     def _names(self, action: Action) -> str:
         if action.each:
             return key_name(self.app, self.station.say, action.bindings()[0])
-        return " ".join(self.app.get_key_display(Binding(key, "")) for key in action.keys.split(",") if key)
+        return " ".join(self.app.get_key_display(Binding(key.key, "")) for key in action.bindings())
 
     def on_mount(self) -> None:
         self.query_one(VerticalScroll).focus()

@@ -85,6 +85,10 @@ class Station(Screen[None]):
 
     # What a station fills in.
 
+    @classmethod
+    def prepare(cls) -> None:
+        """Have the core work out, and remember, what the first frame would wait for; runs in a thread."""
+
     def compose_body(self) -> ComposeResult:
         """The station's own widgets."""
         yield from ()

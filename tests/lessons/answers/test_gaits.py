@@ -13,7 +13,8 @@ ROBOT = "krsri-hexapod"
 def test_the_order_is_that_of_the_wave_gaits_in_the_robots_file(beta: str, name: str) -> None:
     touchdown = find_gait(load_robot(ROBOT), name).touchdown
     assert gaits.order(beta) == sorted(touchdown, key=lambda leg: touchdown[leg])
-    assert gaits.rear_touchdown(beta) == pytest.approx(float(touchdown["L3"]))
+    for leg, at in touchdown.items():
+        assert gaits.landing(beta, leg) == pytest.approx(float(at))
 
 
 def test_a_duty_factor_is_what_the_legs_in_the_air_leave() -> None:

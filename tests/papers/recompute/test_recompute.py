@@ -16,10 +16,10 @@ REPORTS = {report.paper.name: report for report in recompute()}
 # Findings by verdict: reproduced, explained, contradicted, measured. To change one takes a reason in the commit.
 TOTALS = {
     "eros-humanoid": (156, 20, 31, 100),
-    "receptionist-arm": (391, 46, 48, 8),
-    "xl430-hexapod": (80, 10, 22, 145),
+    "receptionist-arm": (390, 45, 50, 8),
+    "xl430-hexapod": (80, 14, 18, 145),
     "krsri-hexapod": (203, 1, 5, 176),
-    "udiebot-quadruped": (182, 132, 17, 109),
+    "udiebot-quadruped": (183, 136, 13, 108),
 }
 FINDINGS = [finding for report in REPORTS.values() for finding in report.findings]
 

@@ -61,6 +61,12 @@ class Served:
         except aiohttp.WSServerHandshakeError as refusal:
             return refusal.status
 
+    async def until_empty(self) -> None:
+        """Wait until every session is over."""
+        async with asyncio.timeout(PATIENCE):
+            while self.server.sessions:
+                await asyncio.sleep(0.01)
+
     @asynccontextmanager
     async def visit(
         self, cookie: str = "", size: tuple[int, int] = (80, 24), **headers: str

@@ -18,7 +18,7 @@ FLAGS = (
     "--disable-sync",
 )
 WHERE = "KINLAB_SCREENSHOTS"
-MS = 60_000
+MS = 90_000
 
 
 def browser_path() -> str:
@@ -39,8 +39,9 @@ def test_the_page_fails_nowhere_asks_nobody_else_and_paints_the_laboratory(serve
 
     async def script(served):
         async with api.async_playwright() as playwright:
-            browser = await playwright.chromium.launch(executable_path=path, args=list(FLAGS))
+            browser = await playwright.chromium.launch(executable_path=path, args=list(FLAGS), timeout=MS)
             page = await browser.new_page(viewport={"width": 1000, "height": 620})
+            page.set_default_timeout(MS)
             page.on("request", lambda request: asked.append(request.url))
             page.on("websocket", lambda line: asked.append(line.url))
             page.on("requestfailed", lambda request: wrong.append(request.url))

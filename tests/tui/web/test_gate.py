@@ -33,7 +33,14 @@ def test_the_machine_itself_may_connect(host, origin):
         "127.0.0.1.evil.example",
         "192.168.1.5:8000",
         "[::1",
+        "[::1]evil.example",
         "a b",
+        "localhost.:8000",
+        "localhost:x",
+        "localhost:8000; script-src *",
+        "evil.example@localhost:8000",
+        "localhost/..",
+        "localhost\n",
     ],
 )
 def test_a_name_that_is_not_its_own_is_refused(host):
@@ -78,6 +85,7 @@ def test_a_server_answers_to_the_name_it_was_given():
     [
         ("127.0.0.1", True),
         ("localhost", True),
+        ("LOCALHOST", True),
         ("::1", True),
         ("127.8.8.8", True),
         ("0.0.0.0", False),

@@ -120,8 +120,7 @@ class Bus:
             if protocol == 2:
                 found = Found(servo, 2, int.from_bytes(answer.params[:2], "little"), answer.params[2])
             else:
-                data = self._read_bytes(1, servo, 0, 3, "model_number")
-                found = Found(servo, 1, int.from_bytes(data[:2], "little"), data[2])
+                found = self._identity(servo)
             self._known[servo] = found
             return found
         raise NoAnswerError(servo, "PING")
@@ -132,15 +131,16 @@ class Bus:
         found: dict[int, Found] = {}
         if 2 in self._protocols:
             for packet in self._talk.ping_all(max(wanted, default=0) + 1):
-                if packet.id in wanted and len(packet.params) == 3:
+                if packet.id in wanted:
                     number = int.from_bytes(packet.params[:2], "little")
                     found[packet.id] = Found(packet.id, 2, number, packet.params[2])
         if 1 in self._protocols:
-            listener = Bus(self.port, protocol=1, retries=0, echo=self._talk.echo)
+            once = Conversation(self.port, retries=0, echo=self._talk.echo)
             for servo in wanted:
                 if servo not in found:
                     try:
-                        found[servo] = listener.ping(servo)
+                        once.ask(Packet(1, servo, 1), "PING", 0)
+                        found[servo] = self._identity(servo)
                     except (NoAnswerError, DamagedAnswerError):
                         continue
         self._known.update(found)
@@ -351,10 +351,12 @@ class Bus:
 
     def _read_bytes(self, protocol: int, servo: int, address: int, count: int, subject: str) -> bytes:
         packet = self._packet(protocol, servo, "READ", {"address": address, "count": count})
-        answer = self._talk.ask(packet, subject, count)
-        if len(answer.params) != count:
-            raise DamagedAnswerError(servo, subject, answer.params)
-        return answer.params
+        return self._talk.ask(packet, subject, count).params
+
+    def _identity(self, servo: int) -> Found:
+        """What a servo of Protocol 1.0 is: its answer to a ping does not say it."""
+        data = self._read_bytes(1, servo, 0, 3, "model_number")
+        return Found(servo, 1, int.from_bytes(data[:2], "little"), data[2])
 
     def _read_many(
         self,

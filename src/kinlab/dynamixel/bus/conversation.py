@@ -6,7 +6,7 @@ from kinlab.dynamixel.bus.errors import DamagedAnswerError, NoAnswerError, Refus
 from kinlab.dynamixel.bus.passages import Passage
 from kinlab.dynamixel.chain.chain import wire_time
 from kinlab.dynamixel.codec.checks import crc16
-from kinlab.dynamixel.codec.instructions import ALERT, STATUS, error_names
+from kinlab.dynamixel.codec.instructions import ALERT, BROADCAST, STATUS, error_names
 from kinlab.dynamixel.codec.packets import Packet, decode, encode
 from kinlab.dynamixel.codec.stream import StreamParser
 from kinlab.dynamixel.ports import Port
@@ -45,24 +45,16 @@ class Conversation:
         Raises:
             NoAnswerError, DamagedAnswerError, RefusedError: naming the servo and `subject`.
         """
-        received = b""
-        for _ in range(self.retries + 1):
-            frames, received = self._exchange(packet, self._window(packet.protocol, [count]), 1)
-            for frame in frames:
-                answer = decode(frame, packet.protocol, as_status=True)
-                if answer.error is not None and answer.id == packet.id:
-                    self._judge(answer, subject)
-                    return answer
-        raise (
-            DamagedAnswerError(packet.id, subject, received)
-            if received
-            else NoAnswerError(packet.id, subject)
-        )
+        return self.ask_many(packet, {packet.id: count}, subject)[packet.id]
 
     def ask_many(
-        self, packet: Packet, sizes: Mapping[int, int], subject: str, fast: bool
+        self, packet: Packet, sizes: Mapping[int, int], subject: str, fast: bool = False
     ) -> dict[int, Packet]:
         """The answers of several servos, given with the bytes of data that each will send.
+
+        An answer does not say what it answers. Where a request was repeated, the answers to its other tries
+        may still be on their way: they are waited for as long as the one at hand may have been late, else
+        they would be taken for answers to the next request.
 
         Args:
             fast: they come in one packet.
@@ -70,16 +62,17 @@ class Conversation:
         Raises:
             NoAnswerError, DamagedAnswerError, RefusedError: of the first servo that has failed.
         """
-        window = self._window(packet.protocol, list(sizes.values()))
+        window, clock = self._window(packet.protocol, list(sizes.values())), self.port.clock
         answers: dict[int, Packet] = {}
-        received = b""
-        for _ in range(self.retries + 1):
-            frames, received = self._exchange(packet, window, 1 if fast else len(sizes))
-            if fast:
-                answers = {part.id: part for frame in frames for part in split_fast(frame, sizes)}
-            else:
-                answers = {answer.id: answer for answer in (decode(f, packet.protocol, True) for f in frames)}
+        received, begun = b"", clock.now()
+        for repeated in range(self.retries + 1):
+            asked = clock.now()
+            came, received = self._exchange(packet, window, sizes, len(sizes), fast)
+            answers = {answer.id: answer for answer in came}
             if answers.keys() >= sizes.keys():
+                late = clock.now() - begun
+                while repeated and self._hear(asked + late):
+                    continue
                 break
         for servo in sizes:
             if servo not in answers:
@@ -94,38 +87,49 @@ class Conversation:
     def ping_all(self, turns: int) -> list[Packet]:
         """The answers to a Protocol 2.0 ping to all, of ids below `turns`."""
         window = wire_time(PING_FRAME * turns, self.port.baud) + LONGEST_SLOT * turns
-        frames, _ = self._exchange(Packet(2, 0xFE, 1), window, None)
-        return [packet for packet in (decode(frame, 2) for frame in frames) if packet.error is not None]
+        return self._exchange(Packet(2, BROADCAST, 1), window, dict.fromkeys(range(turns), 3))[0]
 
     def _window(self, protocol: int, counts: Sequence[int]) -> float:
         """How long the answers may take, in s: their bytes, the servos' delays, and the port's own."""
         expected = sum(STATUS_FRAME[protocol] + count for count in counts)
         return wire_time(expected, self.port.baud) + LONGEST_DELAY * len(counts) + self.port.latency
 
-    def _exchange(self, packet: Packet, window: float, count: int | None) -> tuple[list[bytes], bytes]:
-        """The intact packets that follow an instruction until there are `count` of them, and all that came."""
+    def _exchange(
+        self,
+        packet: Packet,
+        window: float,
+        sizes: Mapping[int, int],
+        count: int | None = None,
+        fast: bool = False,
+    ) -> tuple[list[Packet], bytes]:
+        """The answers that follow an instruction until there are `count` of them, and all that came."""
         request = encode(packet)
         self._send(request)
         deadline = self.port.clock.now() + wire_time(len(request), self.port.baud) + window
         parser = StreamParser(packet.protocol)
-        frames: list[bytes] = []
+        answers: list[Packet] = []
         received = b""
         to_skip = request if self.echo else b""
-        while count is None or len(frames) < count:
-            data = self.port.receive(deadline)
+        while count is None or len(answers) < count:
+            data = self._hear(deadline)
             if not data:
                 break
-            if self.tap:
-                self.tap(Passage(self.port.clock.now(), False, data))
             received += data
             if to_skip:
                 if len(received) < len(to_skip):
                     continue
                 data = received = received.removeprefix(to_skip)
                 to_skip = b""
-            # Where an adapter echoes unasked, the instruction itself comes back first.
-            frames += [f for f in parser.feed(data) if packet.protocol == 1 or f != request]
-        return frames, received
+            for frame in parser.feed(data):
+                came = split_fast(frame, sizes) if fast else [decode(frame, packet.protocol, as_status=True)]
+                answers += [answer for answer in came if answers_to(answer, sizes)]
+        return answers, received
+
+    def _hear(self, deadline: float) -> bytes:
+        data = self.port.receive(deadline)
+        if data and self.tap:
+            self.tap(Passage(self.port.clock.now(), False, data))
+        return data
 
     def _send(self, data: bytes) -> None:
         self.port.send(data)
@@ -134,14 +138,28 @@ class Conversation:
 
     def _judge(self, answer: Packet, subject: str) -> None:
         """Note alarms; refuse an answer that says the request failed."""
-        error = answer.error or 0
-        state = ALERT if answer.protocol == 2 else ALARMS_1
-        names = error_names(answer.protocol, error & state)
+        error, grave = answer.error or 0, gravity(answer)
+        names = error_names(answer.protocol, error & ~grave)
         self.alarms.pop(answer.id, None)
         if names:
             self.alarms[answer.id] = names
-        if error & ~state:
-            raise RefusedError(answer.id, subject, error, error_names(answer.protocol, error & ~state))
+        if grave:
+            raise RefusedError(answer.id, subject, error, error_names(answer.protocol, grave))
+
+
+def gravity(answer: Packet) -> int:
+    """What an answer's error byte says about the request, without what it says about the servo's state."""
+    return (answer.error or 0) & ~(ALERT if answer.protocol == 2 else ALARMS_1)
+
+
+def answers_to(answer: Packet, sizes: Mapping[int, int]) -> bool:
+    """Whether a packet can be the answer of one of those servos (id to bytes of data), or its refusal.
+
+    A late answer to an earlier request mostly has another size. An adapter may echo the instruction.
+    """
+    if answer.error is None or answer.id not in sizes:
+        return False
+    return len(answer.params) == sizes[answer.id] or bool(gravity(answer))
 
 
 def split_fast(frame: bytes, sizes: Mapping[int, int]) -> list[Packet]:

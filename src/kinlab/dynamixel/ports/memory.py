@@ -21,8 +21,10 @@ class MemoryPort:
         self._arriving: list[Burst] = []
 
     def send(self, data: bytes) -> None:
-        """Put `data` on the wire; it takes its time there."""
-        self._arriving.clear()
+        """Forget what came in unread, and put `data` on the wire; it takes its time there."""
+        now = self.clock.now()
+        self._arriving = [burst for burst in self._arriving if burst.end > now]
+        heapq.heapify(self._arriving)
         self.clock.wait(wire_time(len(data), self.baud))
         for burst in self._receiver.feed(data, self.clock.now(), self.baud):
             heapq.heappush(self._arriving, burst)

@@ -44,9 +44,9 @@ def table(session: Session, rest: str) -> Outcome:
     found: ControlTable | None = session.table(int(words[0])) if words[0].isdecimal() else None
     if found is None:
         if words[0].isdecimal():
-            raise UsageError(
-                f"no servo {words[0]} is known (there are: {', '.join(map(str, session.ids()))})"
-            )
+            known = ", ".join(map(str, session.ids()))
+            found_ids = f"there are: {known}" if known else "none has answered yet"
+            raise UsageError(f"no servo {words[0]} is known ({found_ids})")
         found = load_table(words[0])
     registers = [found.find(name) for name in words[1:]] or list(found.registers)
     return Outcome(lines=table_lines(found, registers), data={"model": found.model})

@@ -121,7 +121,7 @@ def _save(session: Session, rest: str) -> Outcome:
     path = file_named(rest)
     beginning = [f"chain {session.chain_text}"] if session.chain else []
     write_whole(path, "\n".join([*beginning, *session.history]) + "\n")
-    return Outcome(lines=[[("good", f"{len(session.history)} line(s) saved to {path}")]])
+    return Outcome(lines=[[("good", f"{len(session.history)} line(s) saved to {rest}")]])
 
 
 def read_script(name: str) -> str:

@@ -108,9 +108,8 @@ def place_of(servos: Directory, servo: int, text: str) -> Place:
         return Place(address, 1, None)
     if table is None:
         known = ", ".join(map(str, servos.ids()))
-        raise UsageError(
-            f"no servo {servo} is known (there are: {known}), so '{text}' has no address; use @ADDRESS"
-        )
+        found = f"there are: {known}" if known else "none has answered yet"
+        raise UsageError(f"no servo {servo} is known ({found}), so '{text}' has no address; use @ADDRESS")
     register = table.find(text)
     return Place(register.address, register.size, register)
 

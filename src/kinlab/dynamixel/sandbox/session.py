@@ -186,7 +186,7 @@ class Session:
             if not piece:
                 break
             exchange.answers.append((self.port.clock.now() - exchange.time, piece))
-            came += len(parser.feed(piece))
+            came += sum(frame != data for frame in parser.feed(piece))  # An echo is no answer.
         return exchange
 
     def answers_due(self, exchange: Exchange) -> int:

@@ -77,30 +77,24 @@ def wire(first: int, step: int) -> list[int]:
     return [1 + (first + step * place) % 7 for place in range(6)]
 
 
-def found(first: int, step: int, intact: int) -> list[int]:
-    """What a scan finds, ascending, when the cable is broken behind the servo at place `intact`."""
+def break_between(first: int, step: int, intact: int) -> Goal:
+    """A cable that is broken behind the servo at place `intact`; the lamp of the last before it is to be lit alone."""
     chain = wire(first, step)
-    session = Session(f"{AX}:{','.join(map(str, sorted(chain)))}")
-    for servo in chain[intact:]:
-        execute(session, f"fault {servo} dead")
-    return sorted(servo.id for servo in session.scan())
+    last = last_reached(first, step, intact)
+    return Goal(
+        f"{AX}:{','.join(map(str, sorted(chain)))}",
+        tuple(Holds(servo, "led", int(servo == last), int(servo == last)) for servo in chain),
+        ("scan", f"write {last} led 1"),
+        setup=tuple(f"fault {servo} dead" for servo in chain[intact:]),
+        as_real=True,
+    )
 
 
-def first_cut_off(first: int, step: int, intact: int) -> float:
-    """The servo at whose input the cable is broken."""
-    return wire(first, step)[intact]
-
-
-def last_reached(first: int, step: int, intact: int) -> float:
+def last_reached(first: int, step: int, intact: int) -> int:
     """The last servo before the break."""
     return wire(first, step)[intact - 1]
 
 
-def smallest_missing(first: int, step: int, intact: int) -> float:
-    """The lowest id that does not answer: right only where ids run along the cable."""
-    return min(wire(first, step)[intact:])
-
-
 def telling(first: int, step: int, intact: int) -> bool:
-    """Whether the lowest missing id is not the answer."""
-    return smallest_missing(first, step, intact) != first_cut_off(first, step, intact)
+    """Whether the last servo before the break is another than the last that a scan lists."""
+    return last_reached(first, step, intact) != max(wire(first, step)[:intact])

@@ -4,9 +4,9 @@ from functools import cache
 
 import numpy as np
 
-from kinlab.gait import Walk, find_curve, find_gait, plan
+from kinlab.gait import Walk, find_curve, plan
 from kinlab.gait.swing import CURVES
-from kinlab.lessons.robots import load_robot
+from kinlab.lessons.robots import find_gait, load_robot
 from kinlab.papers.footsteps import krsri_printed
 
 CURVE = "line-sine"

@@ -4,11 +4,13 @@ import math
 from fractions import Fraction
 from functools import cache
 
-from kinlab.gait import Gait, find_gait, plan, wave_gait
+from kinlab.gait import Gait, plan, wave_gait
 from kinlab.gait.limits import assess
-from kinlab.lessons.robots import load_robot
+from kinlab.lessons.robots import find_gait, load_robot
 
-ROWS = ("1", "2", "3")
+MOST_LEGS = 100
+# In the order in which `wave_gait` names them: from the front, on the left and on the right.
+LEGS = ("L1", "R1", "L2", "R2", "L3", "R3")
 
 
 def duty_of(robot: str, gait: str) -> float:
@@ -27,40 +29,51 @@ def aloft(robot: str, gait: str) -> int:
 
 
 def orders(legs: int) -> int:
-    """In how many orders legs can be lifted one after the other."""
+    """In how many orders legs can be lifted one after the other.
+
+    Raises:
+        ValueError: no robot has as many.
+    """
+    if legs > MOST_LEGS:
+        raise ValueError(f"at most {MOST_LEGS} legs")
     return math.factorial(legs)
 
 
 def rounds(legs: int) -> int:
     """The same, where it does not matter with which leg one begins."""
-    return math.factorial(legs - 1)
+    return orders(legs - 1)
 
 
-def touchdown(beta: str, row: int) -> float:
-    """When a left leg of a hexapod lands in the wave gait; its front leg is row 0, and lands at 0."""
-    return float(wave_gait(3, Fraction(beta))[2 * row])
+def landing(beta: str, leg: str) -> float:
+    """When a leg of a hexapod lands in the wave gait, after L1."""
+    return float(dict(zip(LEGS, wave_gait(3, Fraction(beta)), strict=True))[leg])
 
 
-def rear_touchdown(beta: str) -> float:
-    """That of the rear leg."""
-    return touchdown(beta, 2)
+def mistaken_landing(beta: str, leg: str) -> float:
+    """As `landing`: the wave of a left leg run from the front to the rear, the right leg set down with the left."""
+    row = LEGS.index(leg) // 2
+    return float(-row * Fraction(beta) % 1) if leg[0] == "L" else landing(beta, f"L{leg[1]}")
 
 
-def touchdown_from_the_front(beta: str, row: int) -> float:
-    """As `touchdown`, the wave running from the front to the rear."""
-    return float(-row * Fraction(beta) % 1)
+def entry(beta: str, leg: str, wrong: str) -> str:
+    """A line of a table of landings, of which that of the leg `wrong` is mistaken."""
+    at = mistaken_landing(beta, leg) if leg == wrong else landing(beta, leg)
+    return f"{leg}   {at:.2f}"
 
 
-def touchdown_beyond_the_cycle(beta: str, row: int) -> float:
-    """As `touchdown`, whole cycles kept."""
-    return float(row * Fraction(beta))
+def wrong_entry(beta: str, wrong: str, legs: list[str]) -> int:
+    """Which line of that table is not as the rule has it, from 1."""
+    return next(i for i, leg in enumerate(legs, 1) if entry(beta, leg, wrong) != entry(beta, leg, ""))
+
+
+def tells(beta: str, wrong: str) -> bool:
+    """Whether the mistaken entry is another than the right one."""
+    return entry(beta, wrong, wrong) != entry(beta, wrong, "")
 
 
 def order(beta: str) -> list[str]:
     """The legs of a hexapod in the order in which the wave gait sets them down."""
-    phases = wave_gait(3, Fraction(beta))
-    legs = [f"{side}{row}" for row in ROWS for side in "LR"]
-    return [leg for _, leg in sorted(zip(phases, legs, strict=True))]
+    return [leg for _, leg in sorted(zip(wave_gait(3, Fraction(beta)), LEGS, strict=True))]
 
 
 def speed(stroke: float, time: float, beta: float) -> float:

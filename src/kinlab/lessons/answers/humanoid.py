@@ -1,12 +1,15 @@
 """The six-joint leg and walking on two: angles in degrees, lengths in mm, accelerations in m/s2."""
 
+from collections.abc import Sequence
+from dataclasses import replace
+
 import numpy as np
 
-from kinlab.gait import find_gait
 from kinlab.gait.stability import GRAVITY
 from kinlab.kinematics.humanoid_leg import humanoid_leg_ik
 from kinlab.kinematics.transforms import Array, homogeneous
-from kinlab.lessons.robots import load_robot
+from kinlab.lessons.results import Reach, limb_reach
+from kinlab.lessons.robots import find_gait, load_robot
 from kinlab.robots import Limb
 
 LEG = "right_leg"
@@ -70,6 +73,34 @@ def step(robot: str, ahead: float, down: float) -> list[float]:
 def step_as_if_below(robot: str, ahead: float, down: float) -> list[float]:
     """As `step`, the ankle taken to be right below the hip, as far away."""
     return step(robot, 0.0, float(np.hypot(ahead, down)))
+
+
+def whole_leg(robot: str, ahead: float, aside: float, down: float) -> Reach:
+    """The six angles with the ankle `ahead`, `aside` (to the left) and `down` of the hip, the sole level and ahead."""
+    leg = _leg(robot)
+    reach = limb_reach(leg, (ahead, aside, -down - links(robot)["foot"]))
+
+    def tilt_deg(angles: Sequence[float]) -> float:
+        turn = leg.fk(np.radians(angles))[:3, :3]
+        return float(np.degrees(np.arccos(np.clip((np.trace(turn) - 1) / 2, -1.0, 1.0))))
+
+    return replace(reach, tilt_deg=tilt_deg)
+
+
+def whole_leg_in_the_plane(robot: str, ahead: float, aside: float, down: float) -> Reach:
+    """As `whole_leg`, the way aside forgotten."""
+    bent = step(robot, ahead, down)
+    return _instead(whole_leg(robot, ahead, aside, down), [0.0, 0.0, *bent, 0.0])
+
+
+def whole_leg_askew(robot: str, ahead: float, aside: float, down: float) -> Reach:
+    """As `whole_leg`, the ankle not rolled back."""
+    reach = whole_leg(robot, ahead, aside, down)
+    return _instead(reach, [*reach.solution_deg[:5], 0.0])
+
+
+def _instead(reach: Reach, angles: Sequence[float]) -> Reach:
+    return replace(reach, solution_deg=tuple(float(v) for v in angles))
 
 
 def zero_moment_point(high: float, place: float, acceleration: float) -> float:

@@ -4,9 +4,9 @@ from functools import cache
 
 import numpy as np
 
-from kinlab.gait import find_gait, least_margins, plan, wave_margin
+from kinlab.gait import least_margins, plan, wave_margin
 from kinlab.gait.support import energy_margin, margins
-from kinlab.lessons.robots import load_robot
+from kinlab.lessons.robots import find_gait, load_robot
 
 TRIPOD = ("L1", "R2", "L3")
 

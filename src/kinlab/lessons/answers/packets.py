@@ -1,6 +1,10 @@
 """Packets of both protocols, byte by byte. Servos are ids; AX-12A speak Protocol 1.0, XL430 2.0."""
 
-from kinlab.dynamixel.codec.checks import checksum, crc16
+from collections.abc import Callable, Mapping
+from typing import Literal
+
+from kinlab.dynamixel.codec.checks import POLYNOMIAL, checksum, crc16
+from kinlab.dynamixel.codec.dissect import dissect
 from kinlab.dynamixel.codec.instructions import BY_NAME
 from kinlab.dynamixel.codec.packets import Packet, encode, status, stuff
 from kinlab.dynamixel.sandbox.requests import REQUESTS
@@ -71,6 +75,45 @@ def not_symmetric(ticks: int) -> bool:
     return ticks % 256 != ticks // 256
 
 
+# What can be wrong with a packet, besides its order.
+DAMAGES: Mapping[str, Callable[[bytes], bytes]] = {
+    "length": lambda frame: _resealed(bytes((*frame[:3], frame[3] + 1, *frame[4:]))),
+    "sum": lambda frame: frame[:-1] + bytes((255 - frame[-1],)),
+    "header": lambda frame: frame[:-1] + bytes((checksum(frame[:-1]),)),
+}
+
+
+def overheard(servo: int, ticks: int, place: int, wrong_at: int, damage: str) -> bytes:
+    """The packet at a place from 1 of four that go to an AX-12A: READ, WRITE, WRITE, PING; one of them damaged."""
+    table = load_table(AX).by_name
+    position, led = table["present_position"], table["led"]
+    frame = (
+        encode(Packet(1, servo, BY_NAME[1]["READ"].code, bytes((position.address, position.size)))),
+        encode(Packet(1, servo, BY_NAME[1]["WRITE"].code, bytes((led.address, 1)))),
+        write_goal(servo, ticks),
+        ping(servo, 1),
+    )[place - 1]
+    return DAMAGES[damage](frame) if place == wrong_at else frame
+
+
+def account(servo: int, ticks: int, place: int, wrong_at: int, damage: str) -> dict[str, int]:
+    """What that packet says of itself (length, checksum), and what is so (count, turned)."""
+    frame = overheard(servo, ticks, place, wrong_at, damage)
+    return {
+        "length": frame[3], "count": len(frame) - 4, "checksum": frame[-1], "turned": checksum(frame[2:-1]),
+    }  # fmt: skip
+
+
+def refused(servo: int, ticks: int, wrong_at: int, damage: str) -> int:
+    """Which of the four an AX-12A does not take."""
+    return next(p for p in range(1, 5) if not dissect(overheard(servo, ticks, p, wrong_at, damage), 1).ok)
+
+
+def _resealed(frame: bytes) -> bytes:
+    """With the checksum that fits."""
+    return frame[:-1] + bytes((checksum(frame[2:-1]),))
+
+
 def complaint(servo: int, error: str) -> bytes:
     """The status packet of an AX-12A that reports one error by its name."""
     return encode(status(1, servo, ERRORS[error]))
@@ -115,6 +158,30 @@ def differ(first: int, second: int) -> bool:
     return first != second
 
 
+def remainder(byte: int) -> int:
+    """The CRC of one byte."""
+    return crc16(bytes((byte,)))
+
+
+def remainder_on_the_wire(byte: int) -> bytes:
+    """The same, the low byte first."""
+    return two_bytes(remainder(byte))
+
+
+def remainder_high_first(byte: int) -> bytes:
+    """As `remainder_on_the_wire`, the high byte first."""
+    return two_bytes_high_first(remainder(byte))
+
+
+def remainder_too_soon(byte: int) -> bytes:
+    """As `remainder_on_the_wire`, the divisor laid on when a 1 is at the left end, not when it has fallen out."""
+    row = byte << 8
+    for _ in range(8):
+        row = row << 1 & 0xFFFF
+        row ^= POLYNOMIAL if row & 0x8000 else 0
+    return two_bytes(row)
+
+
 def stuffed(data: str) -> bytes:
     """What goes over the wire for parameters given in hexadecimal."""
     return stuff(bytes.fromhex(data))
@@ -133,6 +200,27 @@ def stuffed_everywhere(data: str) -> bytes:
 def needs_stuffing(data: str) -> bool:
     """Whether some FD is to be doubled and another is not, so that it matters which."""
     return len({stuffed(data), unstuffed(data), stuffed_everywhere(data)}) == 3
+
+
+def torque_on(servo: int) -> bytes:
+    """WRITE Torque Enable of an XL430, whole."""
+    return _torque_on(servo, "little")
+
+
+def torque_on_high_first(servo: int) -> bytes:
+    """As `torque_on`, the high byte of the address first."""
+    return _torque_on(servo, "big")
+
+
+def torque_on_short(servo: int) -> bytes:
+    """As `torque_on`, the address in one byte as in Protocol 1.0."""
+    address = load_table(XL).by_name["torque_enable"].address
+    return encode(Packet(2, servo, BY_NAME[2]["WRITE"].code, bytes((address, 1))))
+
+
+def _torque_on(servo: int, order: Literal["little", "big"]) -> bytes:
+    address = load_table(XL).by_name["torque_enable"].address.to_bytes(2, order)
+    return encode(Packet(2, servo, BY_NAME[2]["WRITE"].code, address + b"\x01"))
 
 
 def move_xl430(servo: int, ticks: int) -> Goal:

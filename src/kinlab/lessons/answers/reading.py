@@ -1,35 +1,31 @@
 """A paper's own tables against each other: xl430-hexapod, Tables 2 to 4. Places and errors in mm."""
 
-from functools import cache
-
 import numpy as np
 
 from kinlab.papers import eros_humanoid
-from kinlab.papers.tables import printed_table
+from kinlab.papers.measurements import foot_tests
 
-PAPER = "xl430-hexapod"
 AXES = ("x", "y", "z")
-Place = tuple[float, float, float]
 
 
 def target(test: int) -> list[float]:
     """Table 2: where the foot was to go."""
-    return list(_rows("2")[test - 1])
+    return [float(v) for v in foot_tests().wanted[test - 1]]
 
 
 def reached(test: int) -> list[float]:
     """Table 3: where it came to."""
-    return list(_rows("3")[test - 1])
+    return [float(v) for v in foot_tests().reached[test - 1]]
 
 
 def off(test: int) -> list[float]:
     """What follows from the two: how far off, on each axis."""
-    return [abs(a - b) for a, b in zip(target(test), reached(test), strict=True)]
+    return [float(v) for v in foot_tests().off[test - 1]]
 
 
 def printed(test: int) -> list[float]:
     """Table 4: what is printed for it."""
-    return list(_rows("4")[test - 1])
+    return [float(v) for v in foot_tests().printed[test - 1]]
 
 
 def shown(place: int, wrong_at: int, wrong: int, first: int) -> int:
@@ -54,7 +50,7 @@ def contradicts(wrong_at: int, wrong: int) -> int:
 
 def errors(axis: str) -> list[float]:
     """What follows from Tables 2 and 3 for all tests, on one axis."""
-    return [off(test)[AXES.index(axis)] for test in range(1, 10)]
+    return [float(v) for v in foot_tests().off[:, AXES.index(axis)]]
 
 
 def mean_of_the_places(axis: str) -> float:
@@ -64,18 +60,17 @@ def mean_of_the_places(axis: str) -> float:
 
 def mean(axis: str) -> float:
     """The average of Table 4's own column."""
-    column = [row[AXES.index(axis)] for row in _rows("4")]
-    return sum(column) / len(column)
+    return float(foot_tests().printed[:, AXES.index(axis)].mean())
 
 
 def mean_of_eight(axis: str) -> float:
-    """As `mean`, divided by one test too few."""
-    return mean(axis) * 9 / 8
+    """As `mean_of_the_places`, divided by one test too few."""
+    return mean_of_the_places(axis) * 9 / 8
 
 
 def printed_mean(axis: str) -> float:
     """The average that is printed for it."""
-    return printed_table(PAPER, "4").rows["average"][axis].figure.value
+    return float(foot_tests().averages[AXES.index(axis)])
 
 
 def total(axis: str) -> float:
@@ -103,9 +98,3 @@ def wrong_line_of_the_head() -> int:
     as_printed = eros_humanoid.head(q, lengths, frozenset({"3"}))
     off_by = np.abs(as_printed - eros_humanoid.head(q, lengths))[:3, 3]
     return int(np.argmax(off_by)) + 1
-
-
-@cache
-def _rows(number: str) -> list[Place]:
-    columns = [printed_table(PAPER, number).column(axis).tolist() for axis in AXES]
-    return list(zip(*columns, strict=True))

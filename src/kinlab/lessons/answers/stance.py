@@ -4,7 +4,9 @@ import numpy as np
 
 from kinlab.kinematics.body import feet_from_body
 from kinlab.kinematics.transforms import rpy_to_rotation
+from kinlab.lessons.results import Reach, limb_reach
 from kinlab.lessons.robots import load_robot
+from kinlab.robots import Limb
 from kinlab.robots.body import body_pose
 
 
@@ -82,6 +84,47 @@ def height_rolled_back(robot: str, limb: str, roll: float) -> float:
 def height_without_its_own(robot: str, limb: str, roll: float) -> float:
     """As `height_rolled`, for a foot at the body's own height."""
     return height_rolled(robot, limb, roll) - stands_at(robot, limb) * float(np.cos(np.radians(roll)))
+
+
+def follow(robot: str, limb: str, tx: float, tz: float) -> Reach:
+    """The joint angles that keep a foot in its place while the body moves."""
+    return limb_reach(*_in_leg(robot, limb, foot(robot, limb, tx=tx, tz=tz)))
+
+
+def follow_carried_along(robot: str, limb: str, tx: float, tz: float) -> Reach:
+    """As `follow`, the foot moved the way that the body moves."""
+    return limb_reach(*_in_leg(robot, limb, foot_carried_along(robot, limb, tx=tx, tz=tz)))
+
+
+def follow_not_turned(robot: str, limb: str, tx: float, tz: float) -> Reach:
+    """As `follow`, the leg's x taken for the body's."""
+    leg, start = _in_leg(robot, limb, standing(robot, limb))
+    return limb_reach(leg, [start[0] - tx, start[1], start[2] - tz])
+
+
+def follow_not(robot: str, limb: str) -> Reach:
+    """As `follow`, the angles from before."""
+    return limb_reach(*_in_leg(robot, limb, standing(robot, limb)))
+
+
+def seen_by_its_leg(robot: str, limb: str, tx: float, tz: float) -> list[float]:
+    """Where that foot is in the frame of its leg."""
+    return _in_leg(robot, limb, foot(robot, limb, tx=tx, tz=tz))[1]
+
+
+def can_follow(robot: str, limb: str, tx: float, tz: float) -> bool:
+    """Whether the leg can, and could to the wrong places as well."""
+    try:
+        for where in (follow, follow_carried_along, follow_not_turned):
+            where(robot, limb, tx, tz)
+    except ValueError:
+        return False
+    return True
+
+
+def _in_leg(robot: str, limb: str, place: list[float]) -> tuple[Limb, list[float]]:
+    leg = load_robot(robot).limb(limb)
+    return leg, [float(v) for v in leg.to_limb(np.array(place) / 1000, "body") * 1000]
 
 
 def impossible(robot: str, roll: float) -> dict[str, float | str]:

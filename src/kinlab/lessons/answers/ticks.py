@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from kinlab.lessons.results import Goal, TipNear, limb_reach
 from kinlab.lessons.robots import load_robot
 from kinlab.papers.tables import printed_table
 from kinlab.robots import Limb
@@ -10,6 +11,8 @@ from kinlab.robots.target import read_servos
 
 # What a reader can picture, mm: up to the first a hair, up to the second the thickness of a coin.
 HAIR, COIN = 0.3, 4.0
+# How near a foot on the bench is to come, mm.
+NEAR_MM = 2.0
 
 
 def arc(robot: str, limb: str, joint: str, length: float) -> float:
@@ -96,6 +99,30 @@ def mounting(robot: str, limb: str, joint: str) -> dict[str, float]:
 def zeros(robot: str) -> list[float]:
     """The zeros of the servos of a robot's first leg, from the body to the foot."""
     return [joint.servo.zero_deg for joint in load_robot(robot).limb().joints if joint.servo]
+
+
+def servos(robot: str, limb: str) -> dict[str, list[float]]:
+    """The servos of a leg from the body to the foot: ids, zeros, signs."""
+    leg = load_robot(robot).limb(limb)
+    found = [_servo_of(leg, i) for i in range(len(leg.joints))]
+    return {
+        "ids": [servo.id for servo in found],
+        "zeros": [servo.zero_deg for servo in found],
+        "signs": [servo.sign for servo in found],
+    }
+
+
+def stand_at(robot: str, limb: str, x: float, y: float, z: float) -> Goal:
+    """Bring the foot to a place of the limb frame with three goals, in ticks."""
+    leg = load_robot(robot).limb(limb)
+    q = limb_reach(leg, (x, y, z)).solution_deg
+    found = [_servo_of(leg, i) for i in range(len(leg.joints))]
+    goals = [int(servo.command(np.radians(angle))) for servo, angle in zip(found, q, strict=True)]
+    return Goal(
+        f"{found[0].model.name}:{','.join(str(servo.id) for servo in found)}",
+        (TipNear(robot, limb, (x, y, z), NEAR_MM),),
+        (*(f"write {s.id} goal_position {goal}" for s, goal in zip(found, goals, strict=True)), "wait 2"),
+    )
 
 
 def measured() -> dict[str, float]:

@@ -90,24 +90,40 @@ def holding_at_the_ends(shoulder: float, elbow: float) -> list[float]:
     return [float(upper + fore), float(fore)]
 
 
-def starting(acceleration: float) -> float:
-    """What the shoulder gives to start the stretched, hanging arm with `acceleration` rad/s2."""
+def starting(acceleration: float) -> list[float]:
+    """What shoulder and elbow give to start the stretched, hanging arm with `acceleration` rad/s2."""
     q, still = _pose(0.0, 0.0), np.zeros(3)
-    return float(inverse_dynamics(Mechanism.of(_limb()), q, still, [acceleration, 0.0, 0.0])[0])
+    torque = inverse_dynamics(Mechanism.of(_limb()), q, still, [acceleration, 0.0, 0.0])
+    return [float(v) for v in torque[[0, 2]]]
 
 
-def starting_as_a_point(acceleration: float) -> float:
-    """As `starting`, all of the mass at the hand."""
-    links = arm()
-    length = (links["upper"] + links["fore"]) / 1000
-    return (links["upper_g"] + links["fore_g"]) / 1000 * length**2 * acceleration
+def starting_at_a_fixed_elbow(acceleration: float) -> list[float]:
+    """As `starting`, the forearm taken to turn about an elbow that stays where it is."""
+    links = {name: value / 1000 for name, value in arm().items()}
+    return [starting(acceleration)[0], links["fore_g"] * links["fore"] ** 2 / 3 * acceleration]
 
 
-def starting_in_the_middle(acceleration: float) -> float:
+def starting_in_the_middle(acceleration: float) -> list[float]:
     """As `starting`, each link a point in its own middle."""
     links = {name: value / 1000 for name, value in arm().items()}
-    upper = links["upper_g"] * (links["upper"] / 2) ** 2
-    return (upper + links["fore_g"] * (links["upper"] + links["fore"] / 2) ** 2) * acceleration
+    out = links["upper"] + links["fore"] / 2
+    push = links["fore_g"] * out * acceleration
+    upper = links["upper_g"] * (links["upper"] / 2) ** 2 * acceleration
+    return [upper + push * out, push * links["fore"] / 2]
+
+
+def starting_the_forearm_alone(acceleration: float) -> list[float]:
+    """As `starting`, the upper arm taken for weightless."""
+    links = {name: value / 1000 for name, value in arm().items()}
+    upper = links["upper_g"] * links["upper"] ** 2 / 3 * acceleration
+    shoulder, elbow = starting(acceleration)
+    return [shoulder - upper, elbow]
+
+
+def newton_euler() -> list[str]:
+    """The two walks of the method along two links: motion outwards, forces and torques inwards."""
+    links = ("upper", "fore")
+    return [*(f"{link}-moves" for link in links), *(f"{link}-carries" for link in reversed(links))]
 
 
 def _limb() -> Limb:

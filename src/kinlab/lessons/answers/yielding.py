@@ -38,14 +38,22 @@ def damping(kenv: float, denv: float, menv: float) -> float:
     return SecondOrder.of_environment(kenv, denv, menv).zeta
 
 
-def damping_without_two(kenv: float, denv: float, menv: float) -> float:
-    """As `damping`, the 2 below forgotten."""
-    return 2 * damping(kenv, denv, menv)
+def times(value: int, factor: int) -> int:
+    """A multiple of a spring, a damper or a mass."""
+    return value * factor
 
 
-def damping_without_root(kenv: float, denv: float, menv: float) -> float:
-    """As `damping`, the root forgotten."""
-    return denv / (2 * kenv * menv)
+def from_swinging_to_creeping(
+    kenv: float, denv: float, menv: float, stiffer: float, stronger: float, heavier: float
+) -> list[str]:
+    """Four arms by their damping ratio, least first: as it is, and with another spring, damper or mass."""
+    arms = {
+        "base": damping(kenv, denv, menv),
+        "spring": damping(stiffer, denv, menv),
+        "damper": damping(kenv, stronger, menv),
+        "mass": damping(kenv, denv, heavier),
+    }
+    return sorted(arms, key=lambda name: arms[name])
 
 
 def swings(kenv: float, denv: float, menv: float) -> str:
@@ -59,7 +67,13 @@ def clear(kenv: float, denv: float, menv: float) -> bool:
 
 
 def cycles(alpha: float, share: float) -> float:
-    """After how many cycles the filtered torque has come to `share` per cent of a torque that begins and stays."""
+    """After how many cycles the filtered torque has come to `share` per cent of a torque that begins and stays.
+
+    Raises:
+        ValueError: it never does, or not within a lesson's time.
+    """
+    if not (0.001 <= alpha <= 1 and share < 100):
+        raise ValueError("a filter comes to less than 100 %, and alpha is a number from 0.001 to 1")
     value, count = np.zeros(()), 0
     while value < share / 100:
         value, count = low_pass(value, 1.0, alpha), count + 1
@@ -71,6 +85,6 @@ def delay(alpha: float, share: float) -> float:
     return cycles(alpha, share) * CYCLE_MS
 
 
-def cycles_in_a_line(alpha: float, share: float) -> float:
-    """As `cycles`, each cycle taken to add the same."""
-    return float(np.ceil(share / 100 / alpha))
+def delay_in_a_line(alpha: float, share: float) -> float:
+    """As `delay`, each cycle taken to add the same."""
+    return float(np.ceil(share / 100 / alpha)) * CYCLE_MS

@@ -9,4 +9,5 @@ def per_metre(columns: int = 60, ascii_only: bool = False) -> Canvas:
     ground = measured_energy("flat")
     speeds = (ground.speed * 1000).tolist()
     curves = {gait: list(zip(speeds, ground.energy[gait].tolist(), strict=True)) for gait in GAITS}
-    return chart(curves, columns, 12, ascii_only=ascii_only)[0]
+    marks = {10.0: "10", 20.0: "20", 30.0: "30", 40.0: "40 mm/s"}
+    return chart(curves, columns, 13, ascii_only=ascii_only, marks=marks)[0]

@@ -1,8 +1,7 @@
 """Gaits over one cycle."""
 
-from kinlab.gait import find_gait
 from kinlab.gait.drawing import bars as draw_bars
-from kinlab.lessons.robots import load_robot
+from kinlab.lessons.robots import find_gait, load_robot
 
 
 def bars(robot: str, gait: str, columns: int = 40, ascii_only: bool = False) -> str:

@@ -45,3 +45,17 @@ def judge(task: Task, reply: str) -> Verdict:
         return kind_of(task).judge(task, reply)
     except UnreadableError as error:
         return Verdict(False, error.code, task.say(f"unreadable.{error.code}", **error.values), counts=False)
+
+
+def rehearse(task: Task) -> None:
+    """Compute and fill in everything of an exercise once, so that nothing of it fails later.
+
+    Raises:
+        LessonError: the lesson is at fault.
+    """
+    _ = task.ask, task.hints, task.solution, task.slips
+    kind_of(task).shape(task)
+    kind_of(task).right(task)
+    for texts in (task.wording.feedback.values(), task.wording.slips, task.wording.why.values()):
+        for text in texts:
+            task.text(text)

@@ -38,7 +38,7 @@ def wrong(task: Task) -> Sequence[str]:
 
 
 def _want(task: Task) -> str:
-    want = str(task.answer)
+    want: str = task.answer
     if want not in task.field["options"]:
         raise task.exercise.answer.place.error(
             f"{task.exercise.answer.name} gives '{want}', and there is no such option;"

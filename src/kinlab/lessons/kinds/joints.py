@@ -1,4 +1,4 @@
-"""Joint angles, judged by where they bring the tip: every pose that gets there is right."""
+"""Joint angles, judged by where and how they bring the tip: every pose that gets there is right."""
 
 import math
 from collections.abc import Sequence
@@ -8,15 +8,19 @@ from kinlab.lessons.replies import numbers
 from kinlab.lessons.results import Reach
 from kinlab.lessons.task import Task, Verdict
 
+# How far the tip may be turned, where its attitude counts.
+TILT_DEG = 2.0
+
 
 def shape(task: Task) -> str:
     """The joints in their order, and how near is near enough."""
-    return task.say(
+    asked = task.say(
         "joints.shape",
         tip=_tip(task),
         names=" ".join(task.field["names"]),
         tolerance=f"{task.field['tolerance']:g} mm",
     )
+    return f"{asked} {task.say('joints.attitude', angle=f'{TILT_DEG:g}')}" if _reach(task).tilt_deg else asked
 
 
 def right(task: Task) -> str:
@@ -49,9 +53,9 @@ def angles_deg(task: Task, reply: str) -> list[float]:
 
 def _reach(task: Task) -> Reach:
     reach = task.answer
-    if not isinstance(reach, Reach):
+    if not isinstance(reach, Reach) or len(reach.solution_deg) != len(task.field["names"]):
         raise task.exercise.answer.place.error(
-            f"{task.exercise.answer.name} gives no Reach, which an exercise of the kind 'joints' needs"
+            f"{task.exercise.answer.name} gives no Reach of {len(task.field['names'])} joints, as 'names' has them"
         )
     return reach
 
@@ -65,7 +69,7 @@ def _tip(task: Task) -> str:
 
 
 def judge(task: Task, reply: str) -> Verdict:
-    """By forward kinematics and the joints' limits."""
+    """By forward kinematics, the joints' limits, and the attitude where it counts."""
     reach = _reach(task)
     names = task.field["names"]
     given = numbers(reply, len(names))
@@ -79,6 +83,9 @@ def judge(task: Task, reply: str) -> Verdict:
             if not low - 1e-3 <= angle <= high + 1e-3:
                 turn = {"angle": f"{angle:g}", "low": f"{low:g}", "high": f"{high:g}"}
                 return task.verdict(False, "limit", faults=[i], name=name, **turn)
+        tilt = reach.tilt_deg(angles) if reach.tilt_deg else 0.0
+        if tilt > TILT_DEG:
+            return task.verdict(False, "tilt", angle=f"{tilt:.1f}")
         return task.verdict(True, "right", tip=_tip(task), distance=shown)
     if not any(each.unit for each in given) and _off(reach, [math.degrees(a) for a in angles]) <= allowed:
         return task.verdict(False, "unit", tip=_tip(task), distance=shown)

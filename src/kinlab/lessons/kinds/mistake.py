@@ -29,7 +29,7 @@ def wrong(task: Task) -> Sequence[str]:
 
 
 def _want(task: Task) -> int:
-    want = int(task.answer)
+    want: int = task.answer
     if not 1 <= want <= len(task.field["lines"]):
         raise task.exercise.answer.place.error(
             f"{task.exercise.answer.name} gives line {want}, and there are {len(task.field['lines'])}"
@@ -40,7 +40,8 @@ def _want(task: Task) -> int:
 def judge(task: Task, reply: str) -> Verdict:
     """By the line, with what there is to say of it."""
     text = clean(reply)
-    found = re.fullmatch(r"\D{0,20}?(\d{1,4})\D{0,3}", text)
+    # "line 2" and "(2)" name a line, "R2" and "x2" something that stands in one.
+    found = re.fullmatch(r"(?:\D{0,20}\W)?(\d{1,4})\D{0,3}", text)
     count = len(task.field["lines"])
     if found is None or not 1 <= int(found[1]) <= count:
         raise UnreadableError("no-line", text=quote(text), count=count)

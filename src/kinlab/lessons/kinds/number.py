@@ -16,6 +16,8 @@ SLACK = 0.01
 def shape(task: Task) -> str:
     """The unit, and how exact is exact enough."""
     unit = task.field.get("unit", "") or task.say("number.no-unit")
+    if not tolerance(task, 1.0):
+        return task.say("number.shape-exact", unit=unit)
     return task.say("number.shape", unit=unit, tolerance=_margin(task))
 
 
@@ -70,7 +72,8 @@ def judge(task: Task, reply: str) -> Verdict:
         return task.verdict(False, "sign")
     allowed = tolerance(task, want)
     if abs(got - want) <= max(NEAR_TOLERANCES * allowed, NEAR_SHARE * abs(want)):
-        return task.verdict(False, "near", tolerance=_margin(task))
+        exact = None if allowed or "near" in task.wording.feedback else task.say("number.near-exact")
+        return task.verdict(False, "near", own=exact, tolerance=_margin(task))
     return task.verdict(False, "wrong")
 
 
@@ -95,12 +98,17 @@ def in_unit(given: Quantity, asked: str) -> float:
 
 def fits(task: Task, got: float, want: float) -> bool:
     """Whether a number is within the tolerance of another; angles up to half a turn also a turn away."""
-    off = got - want
-    turn = factor("turn", normal_unit(task.field.get("unit", "")))
-    if turn and abs(want) <= turn / 2:
-        off = (off + turn / 2) % turn - turn / 2
+    off = nearest_turn(task, got, want) - want
     # A number typed exactly at the edge of the tolerance is within it.
     return abs(off) <= tolerance(task, want) * (1 + 1e-9) + 1e-12 * abs(want)
+
+
+def nearest_turn(task: Task, got: float, want: float) -> float:
+    """A number; an angle by whole turns as near as can be to one that is wanted, if that is up to half a turn."""
+    turn = factor("turn", normal_unit(task.field.get("unit", "")))
+    if not turn or abs(want) > turn / 2:
+        return got
+    return want + (got - want + turn / 2) % turn - turn / 2
 
 
 def _other_unit(given: Quantity, asked: str, want: float) -> str | None:

@@ -62,7 +62,7 @@ def wrong(task: Task) -> Sequence[str]:
 
 
 def _want(task: Task) -> list[str]:
-    return [_normal(str(key)) for key in task.answer]
+    return [_normal(key) for key in task.answer]
 
 
 def _normal(key: str) -> str:

@@ -4,7 +4,14 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
-from kinlab.lessons.kinds.number import NEAR_SHARE, NEAR_TOLERANCES, SLACK, in_unit, value_text
+from kinlab.lessons.kinds.number import (
+    NEAR_SHARE,
+    NEAR_TOLERANCES,
+    SLACK,
+    in_unit,
+    nearest_turn,
+    value_text,
+)
 from kinlab.lessons.replies import cousins, normal_unit, numbers
 from kinlab.lessons.task import Task, Verdict
 
@@ -33,8 +40,16 @@ def wrong(task: Task) -> Sequence[str]:
 
 
 def want(task: Task, answer: Any = None) -> list[float]:
-    """The right numbers, or those of another answer."""
+    """The right numbers, or those of another answer.
+
+    Raises:
+        LessonError: there are more of them than names, or fewer.
+    """
     values = task.answer if answer is None else answer
+    if len(values) != len(task.field["names"]):
+        raise task.exercise.place.error(
+            f"'names' are {len(task.field['names'])}, and there are {len(values)} numbers"
+        )
     return [float(v) for v in values]
 
 
@@ -44,7 +59,7 @@ def judge(task: Task, reply: str) -> Verdict:
     asked = normal_unit(task.field.get("unit", ""))
     right_one = want(task)
     given = numbers(reply, len(names))
-    got = [in_unit(each, asked) for each in given]
+    got = [nearest_turn(task, in_unit(each, asked), aim) for each, aim in zip(given, right_one, strict=True)]
     allowed = float(task.field["tolerance"])
     unit = f" {task.field['unit']}" if "unit" in task.field else ""
     off = math.dist(got, right_one)

@@ -127,12 +127,12 @@ def experiments() -> Iterator[Finding]:
         ("third", 24, 2680, 4, "55.33"),
     ):
         where = f"section 5, {ordinal} experiment"
-        row = printed_table(NAME, "7").rows[f"forward {step}"]
+        tabled = printed_table(NAME, "7").rows[f"forward {step}"]["distance"].figure.value
         yield JUDGE.figure(
-            f"{where}, step", str(step), row["distance"].figure.value * 10, "mm",
-            f"Table 7, forward {step}: {step} cm = {step * 10} mm",
-            [Cause("one of the two has the wrong unit: mm in the text, cm in the head of Tables 7 and 8", step,
-                   arithmetic=f"its number with mm for cm: {step}")], table="7",
+            f"{where}, step", str(step), tabled * 10, "mm",
+            f"Table 7, forward {step}: {tabled:g} cm = {tabled * 10:g} mm",
+            [Cause("one of the two has the wrong unit: mm in the text, cm in the head of Tables 7 and 8", tabled,
+                   arithmetic=f"its number with mm for cm: {tabled:g}")], table="7",
         )  # fmt: skip
         lost = (whole - fell) / whole * 100
         worked = f"({whole} - {fell}) / {whole} = {lost:.3f} %"

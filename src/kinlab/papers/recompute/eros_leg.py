@@ -4,6 +4,8 @@ No length of EROS is printed; the chain here has lengths of its own in mm, thigh
 equation must hold for any.
 """
 
+from dataclasses import replace
+
 import numpy as np
 
 from kinlab.kinematics import chain
@@ -41,6 +43,8 @@ def leg_samples(seed: int) -> Quantities:
     shank = (ankle - knee_at) / SHANK
     along = (ankle * thigh).sum(-1)
     names = {f"theta{i + 1}": q[:, i] for i in range(6)}
+    # The same poses of a leg whose shank is as long as its thigh.
+    even = chain.frames(LEG_AXES, (*LEG_LINKS[:3], LEG_LINKS[2], *LEG_LINKS[4:]), q)[..., :3, 3]
     return names | {
         "heading": yaw,
         "P_x": tip[:, 0],
@@ -58,6 +62,7 @@ def leg_samples(seed: int) -> Quantities:
         "gamma_c": np.arccos(-(thigh * shank).sum(-1)),
         "across": np.linalg.norm(np.cross(ankle, thigh), axis=-1),
         "along": along,
+        "even across": np.linalg.norm(np.cross(even[:, 4], thigh), axis=-1),
     }
 
 
@@ -82,7 +87,8 @@ LEG = (
         lambda s: wrap(np.arctan2(s["P_y"], s["P_x"]) - s["theta1"]), unit=DEG,
         reading=lambda s: wrap(np.arctan2(s["P_y"], s["P_x"]) - s["theta1"]),
         inputs=(("P_x", "P_x", MM), ("P_y", "P_y", MM), ("θ1", "theta1", DEG)),
-        cause="the same where P_x > 0; behind the hip it is half a turn off",
+        cause="right where the arctangent knows its quadrant, as atan2 does; taken as it stands it is half a turn off "
+        "for a foot behind the hip",
     ),
     Equation(
         "12", "dP_y = P_y + R0 sin(β)", lambda s: s["P_y"] + s["R0"] * np.sin(s["beta"]), _q("dP_y"),
@@ -136,9 +142,9 @@ LEG = (
     Equation(
         "22", "-d_z3 sin(γ_c)", lambda s: -THIGH * np.sin(s["gamma_c"]), lambda s: -s["across"],
         "-d_z4 sin(γ_c)", lambda s: -SHANK * np.sin(s["gamma_c"]), unit=MM,
-        reading=lambda s: -SHANK * np.sin(s["gamma_c"]),
+        reading=lambda s: -THIGH * np.sin(s["gamma_c"]), reading_truth=lambda s: -s["even across"],
         inputs=(("γ_c", "gamma_c", DEG),),
-        cause=f"the same where thigh and shank are equally long; here {THIGH:g} and {SHANK:g} mm",
+        cause=f"right where the shank is as long as the thigh; here {THIGH:g} and {SHANK:g} mm",
     ),
     Equation(
         "23", "-d_z3 + (-d_z4) cos(γ_c)", lambda s: -THIGH - SHANK * np.cos(s["gamma_c"]), lambda s: -s["along"],
@@ -169,41 +175,33 @@ LEG = (
     Equation("28", "θ6 = -θ2", lambda s: -s["theta2"], _q("theta6"), unit=DEG, inputs=(("θ2", "theta2", DEG),)),
 )  # fmt: skip
 
+
+def _mirrored(number: str, of_the_right: str, cause: str = "") -> Equation:
+    """The left leg's equation that reads as this one of the right leg's."""
+    right = next(equation for equation in LEG if equation.number == of_the_right)
+
+    def left(form: Form) -> Form:
+        return lambda s: form({name.removeprefix("left "): s[name] for name in s if name.startswith("left ")})
+
+    return replace(
+        right, number=number, cause=cause, value=left(right.value), truth=left(right.truth),
+        corrected_value=right.corrected_value and left(right.corrected_value),
+        reading=right.reading and left(right.reading),
+        inputs=tuple((f"left {symbol}", f"left {name}", unit) for symbol, name, unit in right.inputs),
+    )  # fmt: skip
+
+
 LEFT_LEG = (
-    Equation("29", "θ1 = heading", _q("left heading"), _q("left theta1"), unit=DEG,
-        inputs=(("left heading", "left heading", DEG),)),
-    Equation(
-        "30", "θ2 = atan(dP_y / P_6z)", lambda s: np.arctan(s["left dP_y"] / s["left P_6z"]), _q("left theta2"),
-        "θ2 = atan(dP_y / -P_6z)", lambda s: np.arctan(s["left dP_y"] / -s["left P_6z"]), unit=DEG,
-        reading=lambda s: -np.arctan(s["left dP_y"] / s["left P_6z"]),
-        inputs=(("left dP_y", "left dP_y", MM), ("left P_6z", "left P_6z", MM)), cause=f"as (15): {OTHER_WAY}",
-    ),
+    _mirrored("29", "9"),
+    _mirrored("30", "15", f"as (15): {OTHER_WAY}"),
     Equation(
         "31", "γ_(a,b,c) of the left leg = γ_(a,b,c) of the right leg", _q("gamma_c"), _q("left gamma_c"),
         "γ_(a,b,c) of the left leg by (17) to (24), from the left foot's place", _gamma_c_of_the_left_leg, unit=DEG,
         reading=_gamma_c_of_the_left_leg, inputs=(("γ_c", "gamma_c", DEG), ("left γ_c", "left gamma_c", DEG)),
         cause="meant is the same formula with the left foot's place; as angles they are equal in even standing alone",
     ),
-    Equation(
-        "32", "θ3 = γ_a + γ_b", lambda s: s["left gamma_a"] + s["left gamma_b"], _q("left theta3"),
-        "θ3 = -(γ_a + γ_b)", lambda s: -(s["left gamma_a"] + s["left gamma_b"]), unit=DEG,
-        reading=lambda s: -(s["left gamma_a"] + s["left gamma_b"]),
-        inputs=(("left γ_a", "left gamma_a", DEG), ("left γ_b", "left gamma_b", DEG)),
-        cause=f"the scan has θ2 and alpha for θ3 and γ; as (25): {OTHER_WAY}",
-    ),
-    Equation(
-        "33", "θ4 = 180 - γ_c", lambda s: np.pi - s["left gamma_c"], _q("left theta4"), unit=DEG,
-        inputs=(("left γ_c", "left gamma_c", DEG),),
-    ),
-    Equation(
-        "34", "θ5 = θ3 + θ4", lambda s: s["left gamma_a"] + s["left gamma_b"] + s["left theta4"],
-        _q("left theta5"), "θ5 = γ_a + γ_b - θ4",
-        lambda s: s["left gamma_a"] + s["left gamma_b"] - s["left theta4"], unit=DEG,
-        inputs=(("left γ_a", "left gamma_a", DEG), ("left γ_b", "left gamma_b", DEG), ("left θ4", "left theta4", DEG)),
-        cause="as (27)",
-    ),
-    Equation(
-        "35", "θ6 = -θ2", lambda s: -s["left theta2"], _q("left theta6"), unit=DEG,
-        inputs=(("left θ2", "left theta2", DEG),),
-    ),
+    _mirrored("32", "25", f"the scan has θ2 and alpha for θ3 and γ; as (25): {OTHER_WAY}"),
+    _mirrored("33", "26"),
+    _mirrored("34", "27", "as (27)"),
+    _mirrored("35", "28"),
 )  # fmt: skip

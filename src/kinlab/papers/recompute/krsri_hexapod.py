@@ -5,6 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from kinlab.kinematics.transforms import Array
+from kinlab.papers.energy import GAITS, GROUNDS
 from kinlab.papers.recompute.finding import Finding, Judge, mean_line
 from kinlab.papers.recompute.krsri_equations import equations
 from kinlab.papers.recompute.paper import Paper, numbers
@@ -12,8 +13,6 @@ from kinlab.papers.tables import printed_table
 
 NAME = "krsri-hexapod"
 JUDGE = Judge(NAME)
-GAITS = ("wave", "tripod")
-GROUNDS = {"flat": ("2", "3"), "broken": ("4", "5")}
 # The text says it of four columns. Of four columns of eleven figures each that have nothing to do with the speed, the
 # strongest correlates more than this once in twenty times (Student's t, at 5 % / 4).
 BY_CHANCE = 0.721

@@ -38,7 +38,7 @@ def control_samples() -> Quantities:
         "env": env, "F": F, "Kf": Kf, "Kenv": Kenv, "Denv": Denv, "Menv": Menv,
         "zeta": np.array([0.5, *np.linspace(0.1, 0.9, COUNT - 1)]), "omega": drawn(2),
         "Ktn": Ktn, "dKt": dKt, "Kt": Ktn + dKt, "Jn": Jn, "dJ": dJ, "J": Jn + dJ, "I": current,
-        "internal": inner, "external": outer, "friction": friction, "load": load,
+        "g": np.full(COUNT, 5.0), "internal": inner, "external": outer, "friction": friction, "load": load,
         "acceleration": ((Ktn + dKt) * current - load) / (Jn + dJ),
     }  # fmt: skip
 
@@ -100,10 +100,10 @@ def _settled(s: Quantities) -> Array:
     return _rounded(-np.log(np.full(COUNT, 0.02)), 0)
 
 
-def _rises(s: Quantities) -> Array:
-    """From 10 to 90 % at ζ 0.575, in units of 1 / ω, to one decimal."""
+def _rises(zeta: float) -> Array:
+    """From 10 to 90 % in units of 1 / ω, to one decimal."""
     t = np.linspace(0, 4, 4001)
-    y = SecondOrder(1.0, 0.575).step(t)
+    y = SecondOrder(1.0, zeta).step(t)
     return _rounded(np.full(COUNT, t[np.argmax(y > 0.9)] - t[np.argmax(y > 0.1)]), 1)
 
 
@@ -123,6 +123,7 @@ MOTOR = (
     ("ΔJ", "dJ", ""),
     ("I_a", "I", A),
     ("τ_l", "load", NM),
+    ("θ''", "acceleration", "rad/s²"),
 )
 LETTER = "the scan mixes letters here"
 
@@ -215,6 +216,11 @@ EQUATIONS = (
     ),
     Equation("2.18", "T_s = 4 / (ζ ω_n)", lambda s: np.full(COUNT, 4.0), _settled, unit="/ (ζ ω_n)",
              cause="to within 2 %: -ln 0.02 = 3.91, rounded"),
-    Equation("2.19", "T_r = 1.8 / ω_n", lambda s: np.full(COUNT, 1.8), _rises, unit="/ ω_n",
-             cause="a rule of thumb: from 10 to 90 % it takes 1.64 / ω_n at ζ 0.5, 1.8 at 0.575, 1.85 at 0.6"),
+    Equation(
+        "2.19", "T_r = 1.8 / ω_n", lambda s: np.full(COUNT, 1.8), lambda s: _rises(0.5), "T_r = 1.6 / ω_n at ζ = 0.5",
+        lambda s: np.full(COUNT, 1.6), unit="/ ω_n", inputs=(("ζ", "zeta", ""),), reading=lambda s: np.full(COUNT, 1.8),
+        reading_truth=lambda s: _rises(0.575),
+        cause="a rule of thumb, without the damping: right at ζ = 0.575; from 10 to 90 % it takes 1.64 / ω_n at ζ 0.5, "
+        "and 1.85 at 0.6",
+    ),
 )  # fmt: skip

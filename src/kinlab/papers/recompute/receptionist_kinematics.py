@@ -29,8 +29,14 @@ def arm_samples() -> Quantities:
     step = np.radians(rng.uniform(-3, 3, (COUNT, 3)))
     return {
         "q": q, "theta1": q[:, 0], "theta0": q[:, 1], "theta2": q[:, 2], "T": T, "x": T[:, :3, 3], "J": J,
-        "step": step, "dX": _times(J, step), "rough": np.linalg.inv(J) * 1.02,
+        "step": step, "dX": _times(J, step), "rough": np.linalg.inv(J) * 1.02, "any J": _any(J, rng),
     }  # fmt: skip
+
+
+def _any(J: Array, rng: np.random.Generator) -> Array:
+    """The first Jacobian, and matrices none of whose entries is always 0, as J31 is; each has an inverse."""
+    others = rng.integers(-5, 6, J.shape) + 20.0 * np.eye(3)
+    return np.concatenate([J[:1], others[1:]])
 
 
 def _times(J: Array, v: Array) -> Array:
@@ -63,11 +69,11 @@ def _jacobian(s: Quantities) -> Array:
 
 
 def _inverse(s: Quantities, *misprints: str) -> Array:
-    return np.array([printed.inverse_jacobian(J, frozenset(misprints)) for J in s["J"]])
+    return np.array([printed.inverse_jacobian(J, frozenset(misprints)) for J in s["any J"]])
 
 
 def _determinant(s: Quantities) -> Array:
-    (a, b, c), (d, e, f), (g, h, i) = np.moveaxis(s["J"], 0, -1)
+    (a, b, c), (d, e, f), (g, h, i) = np.moveaxis(s["any J"], 0, -1)
     return np.asarray(a * (e * i - h * f) - b * (d * i - g * f) + c * (d * h - g * e))
 
 
@@ -143,7 +149,7 @@ EQUATIONS = (
     Equation(
         "3.9", "T = Rz(θ1) Ry(θ0) Tx(L1) Rz(θ2) Tx(L2), as five matrices", lambda s: _product(s, "3.9")[:, :3, 3],
         _of("x"), "1 in the first place of both translations", lambda s: _product(s)[:, :3, 3], unit=CM, inputs=ANGLES,
-        cause=f"{ZERO}. Here the hand's place",
+        cause=f"{ZERO}. Here the hand's place with L1 = 18.5, L2 = 25 cm",
     ),
     *(
         Equation(
@@ -183,8 +189,8 @@ EQUATIONS = (
     Equation(
         "3.17", "J_ij = ∂f_i / ∂f_j", lambda s: np.ones(COUNT), lambda s: s["J"][:, 0, 0],
         "J_ij = ∂f_i / ∂θ_j", lambda s: _jacobian(s)[:, 0, 0], inputs=ANGLES,
-        cause="∂f_i / ∂f_j is 1 or 0; here J_11. On paper or by the scan f stands for θ; the entries that follow are "
-        "derivatives by θ1, θ2, θ0, in this order",
+        cause="∂f_i / ∂f_j is 1 or 0; here J_11, which is -y_w. On paper or by the scan f stands for θ; the entries "
+        "that follow are derivatives by θ1, θ2, θ0, in this order",
     ),
     Equation(
         "3.17, entries", "J", _jacobian, _of("J"), unit=CM, inputs=ANGLES, cause=HERE,
@@ -194,19 +200,19 @@ EQUATIONS = (
             ("0", "L2 s2 s0", "-L1 c0 - L2 c2 c0"),
         ),
     ),
-    Equation("3.18", "dθ = J^-1 dX", lambda s: _times(_inverse(s), s["dX"]), _of("step"),
+    Equation("3.18", "dθ = J^-1 dX", lambda s: _times(_inverse(s), _times(s["any J"], s["step"])), _of("step"),
              cause="with the printed J^-1, J_inv32 corrected"),
     Equation(
         "3.19", "J^+ = J^T (J J^T)^-1",
         lambda s: np.swapaxes(s["J"][:, :2], 1, 2) @ np.linalg.inv(s["J"][:, :2] @ np.swapaxes(s["J"][:, :2], 1, 2)),
         lambda s: np.linalg.pinv(s["J"][:, :2]), cause="here of the two rows for x and y",
     ),
-    Equation("3.20", "J^-1 = adj(J) / det(J)", _inverse, lambda s: np.linalg.inv(s["J"]),
+    Equation("3.20", "J^-1 = adj(J) / det(J)", _inverse, lambda s: np.linalg.inv(s["any J"]),
              cause="with J_inv32 corrected"),
     Equation("3.20, determinant", "det = J11 (J22 J33 - J32 J23) - J12 (J21 J33 - J31 J23) + J13 (J21 J32 - J31 J22)",
-             _determinant, lambda s: np.linalg.det(s["J"]), unit="cm³"),
+             _determinant, lambda s: np.linalg.det(s["any J"]), unit="cm³"),
     Equation(
-        "3.20, entries", "J^-1", lambda s: _inverse(s, "J_inv32"), lambda s: np.linalg.inv(s["J"]),
+        "3.20, entries", "J^-1", lambda s: _inverse(s, "J_inv32"), lambda s: np.linalg.inv(s["any J"]),
         "J_inv32 = -(J11 J32 - J31 J12) / det", _inverse, inputs=ANGLES,
         cause=f"J31 for J32; as J31 is 0, the print makes J_inv32 0, which is right where θ0 = 0. {HERE}",
         entries=(

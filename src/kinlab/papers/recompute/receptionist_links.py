@@ -57,6 +57,7 @@ def _forces(q: Array, qd: Array, qdd: Array) -> dict[str, Array]:
         "F01": M1 * a1 + M2 * a2 - G1 - G2, "G1": np.broadcast_to(G1, B.shape), "G2": np.broadcast_to(G2, B.shape),
         "x_C1": C1[:, X], "y_C1": C1[:, Y], "z_C1": C1[:, Z], "x_B": B[:, X], "y_B": B[:, Y], "z_B": B[:, Z],
         "x_C2": C2[:, X], "y_C2": C2[:, Y], "z_C2": C2[:, Z],
+        "F01x": M1 * a1[:, X] + M2 * a2[:, X] - G1[X] - G2[X],
         "F21x": -F12[:, X], "F21y": -F12[:, Y], "F21z": -F12[:, Z],
         "pitch": torque[:, 0], "roll": torque[:, 1], "elbow": torque[:, 2],
         "theta1''": qdd[:, 0], "theta0''": qdd[:, 1], "theta2''": qdd[:, 2],
@@ -136,7 +137,7 @@ EQUATIONS = (
     Equation(
         "3.24", "I_C1 α1 = r_C1 × F01 + r_C1B × F21", lambda s: _about_c1(s)[:, Z], lambda s: I1C * s["theta1''"],
         "... + torque of servo 2 - torque of servo 3", lambda s: _about_c1(s)[:, Z] + s["pitch"] - s["elbow"], unit=NM,
-        inputs=(*REACTION, *AT_B), reading=lambda s: _about_c1(s, "free ")[:, Z],
+        inputs=(("F01x", "F01x", "N"), *REACTION, *AT_B), reading=lambda s: _about_c1(s, "free ")[:, Z],
         reading_truth=lambda s: I1C * s["free theta1''"], cause=f"{FREE}. About z",
     ),
     Equation("3.25", "F01 = F01x i + F01y j + F01z k, and F21 alike",

@@ -150,6 +150,7 @@ def _next_turning(s: Quantities) -> Array:
     return np.asarray(_turn(s["joint"], s["dw"]) + np.cross(turned, own) + s["qdd"][:, None] * Z)
 
 
+EITHER = "on paper or by the scan"
 SPIN = tuple((f"ω_{a}", f"w_{a}", "rad/s") for a in "xyz")
 BODY = "M = diag(1, 2, 3) kg m², v = (1, 0, 0) m/s; the moment about z"
 ARM = tuple((f"p_{a}", f"p_{a}", "m") for a in "xyz")
@@ -161,13 +162,13 @@ EQUATIONS = (
     Equation(
         "2.39", "N = d/dt [R M ω] = R (M ω' + ω × M v)", _z(lambda s: _euler(s, _turn(s["M"], s["v"]))),
         _z(_of("moment")), "N = R (M ω' + ω × M ω)", _z(lambda s: _euler(s, _turn(s["M"], s["w"]))), unit="N m",
-        inputs=SPIN, cause=f"v for ω; (2.50) has it right. {BODY}",
+        inputs=SPIN, cause=f"v for ω, {EITHER}; (2.50) has it right. {BODY}",
     ),
     Equation(
         "2.40", "(F, N) = (m v' + ω × m v, M ω' + ω')", _z(lambda s: _turn(s["M"], s["dw"]) + s["dw"]),
         _z(_of("moment")),
         "N = M ω' + ω × M ω", _z(lambda s: _euler(s, _turn(s["M"], s["w"]))), unit="N m", inputs=SPIN,
-        cause=f"of ω × M ω only ω' is left, an acceleration among moments; (2.50) has it right. {BODY}",
+        cause=f"of ω × M ω only ω' is left, {EITHER}: an acceleration among moments; (2.50) has it right. {BODY}",
     ),
     Equation("2.41", "ω_i+1 = R ω_i + θ' z, revolute", _next_spin, _of("w1"), unit="rad/s"),
     Equation("2.42", "ω_i+1 = R ω_i, prismatic", lambda s: _turn(s["fixed"], s["w"]), _of("fixed w"),
@@ -181,16 +182,16 @@ EQUATIONS = (
         "2.46", "v'_i+1 = R (v'_i + ω' × p - ω × ω × p), revolute", lambda s: _revolute(s, -1)[:, 0],
         lambda s: s["next"][:, 0], "v'_i+1 = R (v'_i + ω' × p + ω × ω × p)", lambda s: _revolute(s, 1)[:, 0],
         unit="m/s²", inputs=(*SPIN, *ARM),
-        cause="minus for plus: the end of a turning link accelerates inwards; (2.45), (2.47) and (2.48) have the plus. "
-        "Its x, with v'_i = 0, ω' = 0",
+        cause=f"minus for plus, {EITHER}: the end of a turning link accelerates inwards; (2.45), (2.47) and (2.48) "
+        "have the plus. Its x, with v'_i = 0, ω' = 0",
     ),
     Equation("2.47", "v'_i+1 = R (v'_i + d'' x + 2 ω × d' x + ω' × d x + ω × ω × d x), prismatic", _prismatic,
              _of("slid point"), unit="m/s²", cause="in the frame before it"),
     Equation(
         "2.48", "v'_cm = ω' × p_cm + ω × ω × p_cm + v'_i+1, the last in frame i",
         lambda s: _centre(s, _turn(np.swapaxes(s["joint"], -1, -2), s["next"])), _of("centre"),
-        "the last in frame i+1", lambda s: _centre(s, s["next"]), unit="m/s²", reading=lambda s: _centre(s, s["next"]),
-        cause="the index i for i+1, which all other terms have; the text calls this acceleration a velocity",
+        "the last in frame i+1", lambda s: _centre(s, s["next"]), unit="m/s²",
+        cause=f"the index i for i+1, which all other terms have, {EITHER}; the text calls this acceleration a velocity",
     ),
     Equation("2.49", "F = m v'_cm", lambda s: s["m"][:, None] * s["centre"],
              lambda s: s["m"][:, None] * _centre(s, s["next"]), unit="N"),

@@ -30,17 +30,17 @@ def _disturbance(s: Quantities) -> Array:
 
 
 def _reaction(s: Quantities, current: Array) -> Array:
-    """(2.37) for a rate e^(st), with the cut-off g = 5; gravity is in the internal torque."""
-    g, rate = 5.0, s["acceleration"] / s["s"]
-    momentum = g * s["Jn"] * rate
-    return g / (s["s"] + g) * (s["Ktn"] * current + momentum - s["internal"] - s["friction"]) - momentum
+    """(2.37) for a rate e^(st), with the cut-off g; gravity is in the internal torque."""
+    g = s["g"]
+    momentum = g * s["Jn"] * s["acceleration"] / s["s"]
+    known = s["Ktn"] * current + momentum - s["internal"] - s["friction"]
+    return np.asarray(g / (s["s"] + g) * known - momentum)
 
 
 def _filtered_reaction(s: Quantities) -> Array:
     """What is left of the motor's torque once all that is known is taken off, through a filter of first order."""
-    g = 5.0
     left = _disturbance(s) - s["internal"] - s["friction"]
-    return np.asarray(g / (s["s"] + g) * left)
+    return np.asarray(s["g"] / (s["s"] + s["g"]) * left)
 
 
 TORQUES = (("τ_int", "internal", NM), ("τ_ext", "external", NM), ("F + D θ'", "friction", NM))
@@ -90,13 +90,13 @@ EQUATIONS = (
              lambda s: s["Kt"] * s["I"] - s["J"] * s["acceleration"], unit=NM, inputs=TORQUES),
     Equation(
         "2.29", "τ_m = K_f I_a", lambda s: s["Kf"] * s["I"], lambda s: s["J"] * s["acceleration"] + s["load"],
-        "τ_m = K_t I_a", lambda s: s["Kt"] * s["I"], unit=NM, inputs=MOTOR, damaged=True,
+        "τ_m = K_t I_a", lambda s: s["Kt"] * s["I"], unit=NM, inputs=(SOFT[0], *MOTOR), damaged=True,
         cause=f"{LETTER}: the sentence below it calls the constant K_t",
     ),
     Equation(
         "2.30", "J θ'' = K_f I_a - (τ_int + τ_ext + (F + D θ'))", lambda s: s["Kf"] * s["I"] - s["load"],
         lambda s: s["J"] * s["acceleration"], "J θ'' = K_t I_a - ...", lambda s: s["Kt"] * s["I"] - s["load"], unit=NM,
-        inputs=MOTOR, damaged=True, cause=f"{LETTER}: K_t, as the sentence below it says",
+        inputs=(SOFT[0], *MOTOR), damaged=True, cause=f"{LETTER}: K_t, as the sentence below it says",
     ),
     Equation("2.31", "J = J_n + ΔJ", lambda s: s["Jn"] + s["dJ"], of("J"), inputs=MOTOR[2:4], cause="a definition"),
     Equation("2.32", "K = K_tn + ΔK_t", lambda s: s["Ktn"] + s["dKt"], of("Kt"), inputs=MOTOR[:2],
@@ -124,6 +124,7 @@ EQUATIONS = (
     Equation(
         "2.37", "τ_reac = g / (s + g) (K_tn J_n + g J_n θ' - τ_int - τ_g - F - D θ') - g J_n θ'",
         lambda s: _reaction(s, s["Jn"]), _filtered_reaction, "... (K_tn I_a + ...", lambda s: _reaction(s, s["I"]),
-        unit=NM, inputs=MOTOR, damaged=True, cause=f"{LETTER}: J_n with the index ref is I_a, as in (2.34) to (2.36)",
+        unit=NM, inputs=(*MOTOR, TORQUES[0], TORQUES[2], ("g", "g", ""), ("s", "s", "")), damaged=True,
+        cause=f"{LETTER}: J_n with the index ref is I_a, as in (2.34) to (2.36)",
     ),
 )  # fmt: skip

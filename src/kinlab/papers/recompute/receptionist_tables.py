@@ -13,8 +13,8 @@ SERVO = load_table("RX-24F")
 CLOCK = 2_000_000
 # Where the AX-12's manual of 2006-06-14, section 3-4, differs from the RX-24F, by address.
 AX_12_OF_2006 = {0: 12, 4: 1, 11: 85, 17: 4, 18: 4, 26: 0, 27: 0}
-# The same manual of the reserved bytes, of which the RX-24F's sheet says nothing.
-RESERVED = {10: 0, 19: 0, 45: 0}
+# The same manual where the RX-24F's sheet says nothing: of the reserved bytes and of the moving speed.
+AX_12_ALONE = {10: 0, 19: 0, 32: 0, 33: 0, 45: 0}
 # From bit 7 to bit 0: ATmega128 data sheet, USART registers.
 UCSRB = ("RXCIE", "TXCIE", "UDRIE", "RXEN", "TXEN", "UCSZ2", "RXB8", "TXB8")
 UCSRA = ("RXC", "TXC", "UDRE", "FE", "DOR", "PE", "U2X", "MPCM")
@@ -52,8 +52,8 @@ def control_table() -> Iterator[Finding]:
                 yield JUDGE.cell(cell, address, line, remark=_name_of(address))
             elif column == "hex":
                 yield _hex(cell, address)
-            elif column == "initial" and address in RESERVED:
-                own = RESERVED[address]
+            elif column == "initial" and address in AX_12_ALONE:
+                own = AX_12_ALONE[address]
                 line = f"AX-12, in its manual of 2006: {own}; the RX-24F's sheet has nothing"
                 yield JUDGE.cell(cell, own, line)
             elif column == "initial":
@@ -147,9 +147,11 @@ def load_bits() -> Iterator[Finding]:
     """Table 2.5: ten bits of load, one of direction, and zeros in a register of sixteen."""
     register = SERVO.find("present_load")
     direction = BIT10.bit_length() - 1
-    for row, cells in printed_table(NAME, "2.5").rows.items():
-        kind, _, number = row.partition(" ")
-        own = {"zero": 8 * register.size - 1, "direction": direction, "load": int(number or 0)}[kind]
+    rows = printed_table(NAME, "2.5").rows
+    places = {row: direction - k for k, row in enumerate(list(rows)[1:])}
+    for row, cells in rows.items():
+        kind = row.partition(" ")[0]
+        own = places.get(row, 8 * register.size - 1)
         line = {
             "zero": f"{register.size} bytes = {8 * register.size} bits, the highest is {8 * register.size - 1}",
             "direction": f"RX-24F: {BIT10} = 2^{direction} is the direction",

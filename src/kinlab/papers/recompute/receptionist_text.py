@@ -61,10 +61,13 @@ def specifications() -> Iterator[Finding]:
     )  # fmt: skip
     initial = printed_table(NAME, "2.1").rows["address 4"]["initial"].figure.value
     own = CLOCK / (initial + 1)
+    leaves = float(SERVO.find("baud_rate").initial)
+    usual = printed_table(NAME, "2.2").rows[f"value {leaves:g}"]["goal"].figure.value
     yield JUDGE.figure(
         f"{where}, default baud rate", "57600", own, "bps", f"Table 2.1: {CLOCK} / ({initial:g} + 1) = {own:.0f}",
-        [Cause("the usual rate next to that of value 34, with which the RX-24F leaves the factory", 57600,
-               arithmetic=f"{CLOCK} / (34 + 1) = {CLOCK / 35:.0f}")], table="2.1",
+        [Cause(f"the usual rate next to that of value {leaves:g}, with which the RX-24F leaves the factory", usual,
+               arithmetic=f"Table 2.2: {CLOCK} / ({leaves:g} + 1) = {CLOCK / (leaves + 1):.0f}, beside it {usual:g}")],
+        table="2.1",
     )  # fmt: skip
     yield JUDGE.figure(f"{where}, number of IDs", "254", 253 + 1, "", "0 to 253: 253 + 1 = 254")
     slowest = CLOCK / 255
@@ -149,7 +152,8 @@ def packets() -> Iterator[Finding]:
     degrees = ticks * RANGE_DEG / STEPS
     yield JUDGE.figure(
         f"{where}, angle", "207.9", degrees, "deg", f"{ticks} * {RANGE_DEG} / {STEPS} = {degrees:.2f}",
-        [Cause("0.35 degrees a tick", ticks * 0.35, arithmetic=f"{ticks} * 0.35 = {ticks * 0.35:.1f}")],
+        [Cause("a whole turn for the range, its tick rounded to 0.35 degrees", ticks * round(360 / STEPS, 2),
+               arithmetic=f"360 / {STEPS} = {360 / STEPS:.4f}; {ticks} * 0.35 = {ticks * 0.35:.1f}")],
         remark=f"{207.9 / RANGE_DEG * STEPS:.0f} ticks would be 207.9 degrees",
     )  # fmt: skip
     params = bytes((goal.address,)) + data
@@ -197,9 +201,8 @@ def settings() -> Iterator[Finding]:
     )
     yield JUDGE.figure(
         f"{where} e, supply", "12", 11.1, "V", "section 3.1.2: the battery's 11.1 V feed the servos directly",
-        [Cause("what three cells give while they are full, without decimals; 11.1 V is their nominal voltage",
-               3 * 4.2, cut=True, arithmetic="charged 3 * 4.2 = 12.6")],
-        remark="the 26 kgf cm of the same paragraph are those at 12 V",
+        remark="12 V lies between that and a full battery, 3 * 4.2 = 12.6 V; the 26 kgf cm of the same paragraph are "
+        "those at 12 V",
     )  # fmt: skip
     framed = 1e6 / (8 + 2) / 1000
     yield JUDGE.figure(

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping
 import numpy as np
 
 from kinlab.papers import udiebot_quadruped as udiebot
-from kinlab.papers.recompute.finding import Cause, Finding, Judge, cut, mean_line
+from kinlab.papers.recompute.finding import Cause, Finding, Judge, mean_line
 from kinlab.papers.recompute.paper import Paper, numbers
 from kinlab.papers.recompute.udiebot_equations import equations
 from kinlab.papers.tables import Cell, PrintedTable, printed_table
@@ -35,14 +35,19 @@ def recompute() -> Iterator[Finding]:
 
 def robot() -> Iterator[Finding]:
     """Tables 1 to 3: what was built, and the joints added up."""
-    each = printed_table(NAME, "3").column("DOF")
+    each, servos = (printed_table(NAME, "3").column(name) for name in ("DOF", "servos"))
     of_a_leg = " + ".join(f"{v:g}" for v in each) + f" = {each.sum():g}"
+    legs = printed_table(NAME, "1").rows["legs"]["value"].figure.value
+    whole = legs * each.sum()
     computed = {
-        ("1", "degrees of freedom", "value"): (4 * each.sum(), f"4 legs x {each.sum():g} joints = 12"),
-        ("1", "servos", "value"): (4 * each.sum(), f"4 legs x {each.sum():g} servos = 12"),
-        ("3", "total", "DOF"): (4 * each.sum(), f"4 legs x {each.sum():g} joints = 12"),
+        ("1", "degrees of freedom", "value"): (whole, f"{legs:g} legs x {each.sum():g} joints = {whole:g}"),
+        ("1", "servos", "value"): (
+            legs * servos.sum(), f"{legs:g} legs x {servos.sum():g} servos = {legs * servos.sum():g}"
+        ),
+        ("3", "total", "legs"): (legs, f"Table 1: {legs:g} legs"),
+        ("3", "total", "DOF"): (whole, f"{legs:g} legs x {each.sum():g} joints = {whole:g}"),
         ("3", "total", "DOF per leg"): (each.sum(), of_a_leg),
-    }
+    }  # fmt: skip
     for number in ("1", "2", "3"):
         for cell in printed_table(NAME, number).cells():
             own = computed.get((cell.table, cell.row, cell.column))
@@ -83,7 +88,7 @@ def search(table: PrintedTable) -> Iterator[Finding]:
         copied = (table.number, cells["x"].row) == COPIED
         yield from _forward(cells, lengths, _copied(cells, before, lengths) if copied else {})
         before = cells
-        yield from _errors(cells)
+        yield from _errors(cells, _left_out(table))
     yield from JUDGE.averages(table, REMARKS.get(table.number))
     yield from _percentages(table)
 
@@ -146,23 +151,25 @@ def _forward(
     a, b, both = f"{degrees[0]:g}", f"{degrees[1]:g}", f"{degrees[1] + degrees[2]:.6g}"
     reach, up = f * np.cos(beta) + t * np.cos(beta + gamma), f * np.sin(beta) + t * np.sin(beta + gamma)
     out = f"{f:g} cos {b} + {t:g} cos {both}"
-    table, row = cells["x"].table, cells["x"].row
     slip = {axis: [slips[axis]] if axis in slips else [] for axis in AXES}
     for axis, share, turn in (("x", np.cos(alpha), f" cos {a}"), ("z", np.sin(alpha), f" sin {a}")):
         own, bare = float((coxa + reach) * share), float(reach * share)
-        cause = Cause(
-            "no coxa, the last of four decimals left off", round(bare, 4), cut=True, decimals=DECIMALS,
-            arithmetic=f"({out}){turn} = {bare:.4f}",
-        )  # fmt: skip
+        cause = _shortened("no coxa", bare, f"({out}){turn} = {bare:.4f}")
+        remark = UNEXPLAINED.get((cells["x"].table, cells["x"].row, axis), "")
         yield JUDGE.cell(
-            cells[f"fk {axis}"], own, f"({coxa:g} + {out}){turn} = {own:.4f}", [cause, *slip[axis]],
-            UNEXPLAINED.get((table, row, axis), ""), DECIMALS,
+            cells[f"fk {axis}"], own, f"({coxa:g} + {out}){turn} = {own:.4f}", [cause, *slip[axis]], remark, DECIMALS
         )  # fmt: skip
         if axis == "x":
             line = f"{f:g} sin {b} + {t:g} sin {both} = {up:.4f}"
-            remark = UNEXPLAINED.get((table, row, "y"), LEFT_OUT if cells["fk y"].figure.value == 0 else "")
-            causes = [cut(float(up), DECIMALS), *slip["y"]]
+            remark = LEFT_OUT if cells["fk y"].figure.value == 0 else ""
+            causes = [_shortened("", float(up)), *slip["y"]]
             yield JUDGE.cell(cells["fk y"], float(up), line, causes, remark, DECIMALS)
+
+
+def _shortened(name: str, value: float, arithmetic: str = "") -> Cause:
+    """How the tables print a place: with the last of four decimals left off."""
+    said = ", ".join(filter(None, (name, "the last of four decimals left off")))
+    return Cause(said, round(value, 4), cut=True, decimals=DECIMALS, arithmetic=arithmetic)
 
 
 def _copied(
@@ -176,15 +183,12 @@ def _copied(
     reach, up = float(f * np.cos(beta) + t * np.cos(gamma)), float(f * np.sin(beta) + t * np.sin(gamma))
     out, aloft = (f"{f:g} {s} {b:g} + {t:g} {s} {both:.6g}" for s in ("cos", "sin"))
     x, z = float(reach * np.cos(alpha)), float(reach * np.sin(alpha))
-    name = "no coxa, θ3 of the row before, cut after three decimals"
+    slip = "θ3 of the row before"
     return {
-        "x": Cause(name, x, cut=True, decimals=DECIMALS, arithmetic=f"({out}) cos {a:g} = {x:.4f}"),
-        "y": Cause(
-            "θ3 of the row before, cut after three decimals, without its sign", abs(up),
-            cut=True, decimals=DECIMALS, arithmetic=f"{aloft} = {up:.4f}",
-        ),
-        "z": Cause(name, z, cut=True, decimals=DECIMALS, arithmetic=f"({out}) sin {a:g} = {z:.4f}"),
-    }  # fmt: skip
+        "x": _shortened(f"no coxa, {slip}", x, f"({out}) cos {a:g} = {x:.4f}"),
+        "y": _shortened(f"{slip}, without its sign", abs(up), f"{aloft} = {up:.4f}"),
+        "z": _shortened(f"no coxa, {slip}", z, f"({out}) sin {a:g} = {z:.4f}"),
+    }
 
 
 def _degrees(cells: dict[str, Cell]) -> list[float]:
@@ -197,19 +201,22 @@ UNEXPLAINED = {("5", "row 1", "x"): "the target's x; it belongs to an error of 0
 COPIED = ("6", "row 8")
 
 
-def _errors(cells: dict[str, Cell]) -> Iterator[Finding]:
-    """Error: target less forward kinematics, both as printed."""
+def _left_out(table: PrintedTable) -> list[str]:
+    """The axes whose errors are printed as 0 in every row, although the feet are off."""
+    off = {axis: table.column(axis) - table.column(f"fk {axis}") for axis in AXES}
+    return [axis for axis in AXES if not table.column(f"error {axis}").any() and off[axis].any()]
+
+
+def _errors(cells: dict[str, Cell], left_out: list[str]) -> Iterator[Finding]:
+    """Error: target less forward kinematics, both as printed; 0 on an axis that was left out."""
     for axis in AXES:
         wanted, reached = cells[axis].figure, cells[f"fk {axis}"].figure
         own = wanted.value - reached.value
         sign = f"({reached.text})" if reached.value < 0 else reached.text
-        remark = "" if axis != "y" or round(own, 6) == cells["error y"].figure.value else OUT_OF_Y
+        causes = [Cause(f"{axis} left out: the column prints 0 throughout", 0.0)] if axis in left_out else []
         yield JUDGE.cell(
-            cells[f"error {axis}"], own, f"{wanted.text} - {sign} = {own:.3f}", (), remark, DECIMALS
+            cells[f"error {axis}"], own, f"{wanted.text} - {sign} = {own:.3f}", causes, decimals=DECIMALS
         )
-
-
-OUT_OF_Y = "the column prints 0 throughout: an axis left out"
 
 
 def _percentages(table: PrintedTable) -> Iterator[Finding]:

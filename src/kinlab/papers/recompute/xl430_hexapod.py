@@ -195,13 +195,24 @@ def rotations() -> Iterator[Finding]:
         ("right", "clockwise", 90, "7"),
         ("right", "clockwise", 180, "8"),
     ):
-        own = next(n for n in ("7", "8", "9", "10") if printed_table(NAME, n).title == f"{angle} deg {way}")
+        own, other = _tables_of(f"{angle} deg", way)
+        swapped = Cause(
+            "left and right have changed places in this text", float(other),
+            arithmetic=f"a turn by {angle} deg the other way stands in Table {other}",
+        )  # fmt: skip
         yield JUDGE.figure(
             f"section Rotation, the table of the {turn} turn of {angle} deg", printed, float(own), "",
-            f"a turn to the {turn} is {way}, which is what Table {own} holds", table=own,
-            remark="captions and abstract agree with each other; this text has them the other way round. Should it "
-            "compare the turns, it holds for the left one, 3 < 3.6 and 3.8 < 13.2 deg, and not for the right one",
+            f"a turn to the {turn} is {way}, which is what Table {own} holds", [swapped], table=own,
+            remark="captions and abstract agree with each other. Should the text compare the turns, it holds for the "
+            "left one, 3 < 3.6 and 3.8 < 13.2 deg, and not for the right one",
         )  # fmt: skip
+
+
+def _tables_of(angle: str, way: str) -> tuple[str, str]:
+    """The numbers of the tables of a turn that way, and of the same turn the other way."""
+    found = [n for n in ("7", "8", "9", "10") if printed_table(NAME, n).title.startswith(angle)]
+    own, other = sorted(found, key=lambda n: printed_table(NAME, n).title != f"{angle} {way}")
+    return own, other
 
 
 # Quoted figures

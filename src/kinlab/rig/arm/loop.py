@@ -47,7 +47,7 @@ class RunawayError(KinlabError):
     """
 
     def __init__(self, time: float, joint: str, away: float) -> None:
-        angle = f"{math.degrees(away):.0f} deg" if math.isfinite(away) else "no finite angle"
+        angle = f"{math.degrees(away):.4g} deg" if math.isfinite(away) else "no finite angle"
         super().__init__(
             f"the loop ran away at {time:.3f} s: the reference of {joint} is {angle} from its command"
         )
@@ -59,15 +59,14 @@ class Settings:
     """What a loop is run with.
 
     Attributes:
-        law: "none" (each goal is the present angle and one step of the inverse Jacobian), "position"
-            (2.20) or "compliance" (2.26).
+        law: by name or the beginning of one: "none" (each goal is the present angle and one step of the
+            inverse Jacobian), "position" (2.20) or "compliance" (2.26).
         gains, environment: of these.
         running_sum: sum accelerations up into rates without the cycle time. The paper prints no integration.
         alpha: of the torque's low-pass filter.
         dt: the cycle, s.
         cutoff: of the observers, 1/s.
         inertia: nominal, of a motor with its gear, kg m2.
-        coulomb: friction that the reaction-torque observer takes as known, N m.
     """
 
     law: str = "position"
@@ -78,13 +77,12 @@ class Settings:
     dt: float = 0.016
     cutoff: float = 20.0
     inertia: float = 0.0026
-    coulomb: float = 0.0
 
     def __post_init__(self) -> None:
-        resolve(self.law, LAWS, "law")
+        object.__setattr__(self, "law", resolve(self.law, LAWS, "law"))
         self.environment.check()
         if not np.isfinite(self.gains).all():
-            raise UsageError(f"gains must be finite, got {self.gains}")
+            raise UsageError(f"gains must be finite, got Kp {self.gains.kp:g} and Kv {self.gains.kv:g}")
         if not 0 < self.alpha <= 1:
             raise UsageError(f"alpha of the filter is more than 0 and at most 1, got {self.alpha}")
         if not 0 < self.dt < math.inf:
@@ -238,8 +236,7 @@ class Machine:
         self.external = self.filtered - self.dynamic
         motor = (self.load, real_rate, settings.inertia, settings.cutoff, settings.dt)
         self.disturbance = observe(self.disturbance, *motor)
-        known = self.dynamic + settings.coulomb * np.sign(qd)
-        self.reaction = observe(self.reaction, *motor, known=known)
+        self.reaction = observe(self.reaction, *motor, known=self.dynamic)
 
     def _follow_blindly(self, k: int) -> None:
         # Section 4.1.1: theta + J^-1 dX, from where the arm is, with the step that the trajectory makes.

@@ -1,7 +1,8 @@
 """What stands in for the terminal in a session that is served to a browser."""
 
 from textual.drivers.web_driver import WebDriver
-from textual.events import AppFocus
+from textual.events import AppFocus, Resize
+from textual.message import Message
 
 
 class GuestDriver(WebDriver):
@@ -11,6 +12,11 @@ class GuestDriver(WebDriver):
         """Begin with the focus, which the page takes; Textual's own begins without, and shows no cursor."""
         super().start_application_mode()
         self._app.call_later(self._app.post_message, AppFocus())
+
+    def process_message(self, message: Message) -> None:
+        """Pass on what is typed and clicked, and no size: that comes from the server alone, which bounds it."""
+        if not isinstance(message, Resize):
+            super().process_message(message)
 
     def on_meta(self, packet_type: str, payload: dict[str, object]) -> None:
         """Do what the server asks for; to quit is to leave as by the key."""

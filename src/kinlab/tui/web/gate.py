@@ -5,9 +5,11 @@ websocket, for which browsers ask no leave, or by a name that it lets point here
 """
 
 import ipaddress
+import re
 import socket
 from dataclasses import dataclass
-from urllib.parse import urlsplit
+
+_HOST = re.compile(r"(?:\[([0-9a-f:.]+)\]|([\w.-]+))(?::\d{1,5})?", re.ASCII | re.IGNORECASE)
 
 
 @dataclass(frozen=True)
@@ -41,16 +43,17 @@ class Gate:
         return "" if origin.casefold() == f"http://{host}".casefold() else "foreign_origin"
 
     def _knows(self, host: str) -> bool:
-        try:
-            name = urlsplit(f"//{host}").hostname or ""
-        except ValueError:
+        # Nothing but a name and a port: the header goes on into the page.
+        found = _HOST.fullmatch(host)
+        if not found:
             return False
+        name = (found[1] or found[2]).casefold()
         return name in self.names or (self.any_number and _is_number(name))
 
 
 def is_loopback(host: str) -> bool:
     """Whether only this machine itself can reach a server on `host`."""
-    return host == "localhost" or (_is_number(host) and ipaddress.ip_address(host).is_loopback)
+    return host.casefold() == "localhost" or (_is_number(host) and ipaddress.ip_address(host).is_loopback)
 
 
 def _is_number(name: str) -> bool:

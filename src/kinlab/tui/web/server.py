@@ -1,6 +1,7 @@
 """The server of `kinlab serve`: a page, and behind it a process for each visitor."""
 
 import asyncio
+import logging
 import re
 import secrets
 import signal
@@ -11,6 +12,7 @@ from pathlib import Path
 from string import Template
 
 from aiohttp import WSCloseCode, web
+from aiohttp.http_exceptions import HttpProcessingError
 from textual_serve.server import Server, to_int
 
 from kinlab.errors import KinlabError
@@ -31,6 +33,10 @@ HEADERS = {
     "X-Content-Type-Options": "nosniff",
     "Cache-Control": "no-cache",
 }
+
+LOG = logging.getLogger(__name__)
+# What is no HTTP (a browser that tries https, somebody who scans for servers) is no failure of this one.
+LOG.addFilter(lambda line: not (line.exc_info and isinstance(line.exc_info[1], HttpProcessingError)))
 
 Handler = Callable[[web.Request], Awaitable[web.StreamResponse]]
 
@@ -79,13 +85,13 @@ class LabServer(Server):
         Raises:
             KinlabError: the port cannot be had.
         """
-        runner = web.AppRunner(await self._make_app(), shutdown_timeout=2 * PATIENCE)
+        runner = web.AppRunner(await self._make_app(), logger=LOG, shutdown_timeout=2 * PATIENCE)
         await runner.setup()
         try:
             site = web.TCPSite(runner, self.host, self.port)
             try:
                 await site.start()
-            except (OSError, OverflowError) as error:
+            except (OSError, OverflowError, UnicodeError) as error:
                 raise KinlabError(_no_port(self.host, self.port, error)) from None
             over = asyncio.Event()
             for name in ("SIGINT", "SIGTERM", "SIGHUP"):
@@ -103,7 +109,6 @@ class LabServer(Server):
             [
                 web.get("/", self.handle_index),
                 web.get("/ws", self.handle_websocket),
-                web.get("/download/{key}", self.handle_download),
                 web.static("/page", PAGE),
                 web.static("/static", self.statics_path),
             ]
@@ -178,33 +183,45 @@ class LabServer(Server):
 
     # Sessions.
 
+    def _report(self, key: str, visitor: str, **values: object) -> None:
+        # Part of a name: whoever reads all of it over a shoulder could come under it.
+        places = {"count": len(self.sessions), "places": self._places}
+        self._tell(self._say(key, visitor=visitor[:8], **places, **values))
+
     async def handle_websocket(self, request: web.Request) -> web.WebSocketResponse:
         """A session, from the first byte to the last."""
         visitor = _visitor(request)
-        if not self._has_room_for(visitor):
-            raise web.HTTPServiceUnavailable(text=self._say("full.title"))
-        if len(self.sessions) >= self._places:
-            # A page that is loaded anew takes the place of its former self.
-            former = next(s for s in self.sessions if s.visitor == visitor)
-            self.sessions.remove(former)
+        while len(self.sessions) >= self._places:
+            # A page that is loaded anew takes the place of its former self, once that has left it.
+            own = [session for session in self.sessions if session.visitor == visitor]
+            if not own:
+                raise web.HTTPServiceUnavailable(text=self._say("full.title"))
+            former = next((session for session in own if session.socket.closed), own[0])
             await former.socket.close()
+            await former.over.wait()
         socket = web.WebSocketResponse(heartbeat=15, timeout=PATIENCE, max_msg_size=1 << 20)
         _remember(socket, visitor)
-        session = Session(self._words, visitor, self._folders / visitor, socket, self.download_manager)
+        session = Session(self._words, visitor, self._folders / visitor, socket)
         self.sessions.append(session)
-        self._tell(self._say("begins", count=len(self.sessions), places=self._places, visitor=visitor))
         try:
+            self._report("begins", visitor)
             await socket.prepare(request)
             query = request.query
-            await session.start(
-                *fitting(to_int(query.get("width", ""), 80), to_int(query.get("height", ""), 24))
-            )
-            await session.attend()
+            size = fitting(to_int(query.get("width", ""), 80), to_int(query.get("height", ""), 24))
+            try:
+                await session.start(*size)
+            except OSError as error:
+                self._report("fails", visitor, cause=error.strerror or error)
+            else:
+                await session.attend()
         finally:
-            if session in self.sessions:
+            # A place is free when the process is gone: else whoever comes and goes in haste piles them up.
+            try:
+                await session.stop()
+            finally:
                 self.sessions.remove(session)
-            await session.stop()
-            self._tell(self._say("ends", count=len(self.sessions), places=self._places, visitor=visitor))
+                session.over.set()
+            self._report("ends", visitor)
         return socket
 
 
@@ -215,7 +232,8 @@ def _visitor(request: web.Request) -> str:
 
 
 def _remember(response: web.StreamResponse, visitor: str) -> None:
-    response.set_cookie(COOKIE, visitor, max_age=A_YEAR, httponly=True, samesite="Strict")
+    # Not "Strict": by a link on another page a visitor would come as somebody new, and find nothing of theirs.
+    response.set_cookie(COOKIE, visitor, max_age=A_YEAR, httponly=True, samesite="Lax")
 
 
 async def _add_headers(request: web.Request, response: web.StreamResponse) -> None:
@@ -231,4 +249,6 @@ def _no_port(host: str, port: int, error: Exception) -> str:
         return f"another program has port {port}; take another: kinlab serve --port {port + 1}"
     if number == errno.EACCES:
         return f"port {port} is for the system's own servers; take one above 1023: kinlab serve --port 8000"
+    if isinstance(error, UnicodeError):
+        return f"{host} is no address"
     return f"cannot listen on {host}, port {port}: {getattr(error, 'strerror', None) or error}"

@@ -1,7 +1,7 @@
 """One visitor's session: a process of its own, which the websocket feeds and listens to."""
 
 import asyncio
-import os
+import json
 from collections.abc import Awaitable, Callable, Sequence
 from contextlib import suppress
 from pathlib import Path
@@ -14,6 +14,7 @@ from textual_serve.download_manager import DownloadManager
 from kinlab.guests import GUEST
 
 PATIENCE = 3.0  # s for a process to end by itself
+DEAF = 30.0  # s without taking in what is typed, after which a process is given up
 LARGEST = (400, 150)  # columns and rows; a screen beyond takes memory and no eyes
 SMALLEST = (10, 5)
 
@@ -24,6 +25,7 @@ class Session(AppService):
     Attributes:
         visitor: whose browser it is.
         socket: what leads there.
+        over: set when nothing of it is left.
     """
 
     def __init__(
@@ -32,7 +34,6 @@ class Session(AppService):
         visitor: str,
         home: Path,
         socket: web.WebSocketResponse,
-        manager: DownloadManager,
     ) -> None:
         """Set up.
 
@@ -45,16 +46,19 @@ class Session(AppService):
             write_bytes=_unless_gone(socket.send_bytes),
             write_str=_unless_gone(socket.send_str),
             close=_unless_gone(socket.close),
-            download_manager=manager,
+            download_manager=DownloadManager(),
         )
         self.visitor = visitor
         self.socket = socket
+        self.over = asyncio.Event()
         self._words = command
         self._home = home
 
     def _build_environment(self, width: int = 80, height: int = 24) -> dict[str, str]:
         environment: dict[str, str] = super()._build_environment(width, height)
         environment["TEXTUAL_DRIVER"] = "kinlab.tui.web.driver:GuestDriver"
+        # The terminal is the page's, whatever the one is in which the server was started.
+        environment |= {"TERM": "xterm-256color", "PYTHONUTF8": "1"}
         return environment | {GUEST: "1", "KINLAB_HOME": str(self._home)}
 
     async def _open_app_process(self, width: int = 80, height: int = 24) -> asyncio.subprocess.Process:
@@ -63,20 +67,34 @@ class Session(AppService):
             *self._words,
             stdin=asyncio.subprocess.PIPE,
             stdout=asyncio.subprocess.PIPE,
-            stderr=asyncio.subprocess.PIPE,
             env=self._build_environment(width, height),
-            cwd=os.path.expanduser("~"),
             start_new_session=True,
         )
         self._stdin = process.stdin
         return process
 
     async def run(self) -> None:
-        """Pass on what the program shows, until it ends; then the browser hears of it."""
-        # The pump ends as if cancelled where the program ends before it has begun.
-        with suppress(asyncio.CancelledError):
-            await super().run()
+        """Pass on what the program shows, until it ends; then the browser hears of it.
+
+        It cannot have the browser open or load anything else. What it has to say at its end goes to the
+        server's own standard error.
+        """
+        with suppress(asyncio.IncompleteReadError, asyncio.LimitOverrunError, ConnectionError, ValueError):
+            await self._pass_on()
         await self.remote_close()
+
+    async def _pass_on(self) -> None:
+        assert self._process is not None
+        assert self._process.stdout is not None
+        shown = self._process.stdout
+        await shown.readuntil(b"__GANGLION__\n")
+        while True:
+            kind = await shown.readexactly(1)
+            payload = await shown.readexactly(int.from_bytes(await shown.readexactly(4), "big"))
+            if kind == b"D":
+                await self.remote_write_bytes(payload)
+            elif kind == b"M" and json.loads(payload) == {"type": "exit"}:
+                return
 
     async def stop(self) -> None:
         """End the program, by force if it does not go by itself."""
@@ -86,14 +104,19 @@ class Session(AppService):
         if process is None:
             return
         try:
-            await asyncio.wait_for(process.wait(), PATIENCE)
-        except TimeoutError:
-            process.kill()
-            await process.wait()
+            with suppress(TimeoutError):
+                await asyncio.wait_for(process.wait(), PATIENCE)
+        finally:
+            if process.returncode is None:
+                process.kill()
+        await process.wait()
         self.stdin.close()
 
     async def attend(self) -> None:
-        """Pass on what the visitor types and clicks, until the connection ends. What is no message is passed over."""
+        """Pass on what the visitor types and clicks, until the connection ends or the process takes in no more of it.
+
+        What is no message is passed over.
+        """
         async for message in self.socket:
             if message.type != WSMsgType.TEXT:
                 continue
@@ -101,7 +124,10 @@ class Session(AppService):
                 said = message.json()
             except (ValueError, RecursionError):
                 continue
-            await self._hear(said)
+            try:
+                await asyncio.wait_for(self._hear(said), DEAF)
+            except TimeoutError:
+                return
 
     async def _hear(self, said: Any) -> None:
         match said:

@@ -42,11 +42,11 @@ class StationBar(Widget):
         ]
         return Content.assemble(*pieces)
 
-    def on_click(self, event: Click) -> None:
+    async def on_click(self, event: Click) -> None:
         at = 0
         for text, name in self._parts():
             at += len(text)
             if event.x < at:
                 if name:
-                    cast("KinlabApp", self.app).open_station(name)
+                    await cast("KinlabApp", self.app).open_station(name)
                 return

@@ -2,13 +2,15 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, ClassVar, cast
+from typing import TYPE_CHECKING, cast
 
 from rich.segment import Segment
+from rich.style import Style as RichStyle
 from textual.events import MouseDown, MouseEvent, MouseMove, MouseUp
 from textual.geometry import Size
 from textual.message import Message
 from textual.strip import Strip
+from textual.style import Style
 from textual.widget import Widget
 
 from kinlab.canvas import Canvas
@@ -18,34 +20,26 @@ if TYPE_CHECKING:
 
 Draw = Callable[[int, int, bool], Canvas | None]
 
+# What each role looks like. Component classes would say the same, but every restyling of a screen would
+# work out all of them for every picture, which takes longer than all the rest of it.
+LOOKS = {
+    "link0": "$sky", "link1": "$orange", "link2": "$green",
+    "joint": "bold $foreground", "tip": "bold $foreground", "now": "bold $foreground",
+    "target": "bold $purple",
+    "stance": "$sky", "swing": "$orange", "centre": "$green",
+    "good": "$sky", "printed": "$vermillion", "bad": "$vermillion",
+    "axis": "$faint", "outline": "$faint", "ground": "$faint",
+    "other": "$quiet", "support": "$quiet", "caption": "$quiet", "caption of focus": "bold reverse $foreground",
+}  # fmt: skip
+
 
 class Picture(Widget):
     """A drawing that fills its place: under a caption, whatever the function given draws for that size.
 
-    Roles that have a colour are those of COMPONENT_CLASSES, without "picture--".
+    Roles that have a colour are those of LOOKS.
     """
 
-    COMPONENT_CLASSES: ClassVar[set[str]] = {
-        f"picture--{role}"
-        for role in (
-            "link0", "link1", "link2", "joint", "tip", "target", "axis", "outline", "other", "printed",
-            "stance", "swing", "support", "centre", "ground", "now", "good", "bad", "caption",
-        )
-    }  # fmt: skip
-    DEFAULT_CSS = """
-    Picture {
-        min-height: 4; min-width: 12;
-        .picture--link0, .picture--stance, .picture--good { color: $sky; }
-        .picture--link1, .picture--swing { color: $orange; }
-        .picture--link2, .picture--centre { color: $green; }
-        .picture--joint, .picture--tip, .picture--now { text-style: bold; color: $foreground; }
-        .picture--target { text-style: bold; color: $purple; }
-        .picture--printed, .picture--bad { color: $vermillion; }
-        .picture--axis, .picture--outline, .picture--ground { color: $faint; }
-        .picture--other, .picture--support, .picture--caption { color: $quiet; }
-        &:focus .picture--caption { text-style: bold reverse; color: $foreground; }
-    }
-    """
+    DEFAULT_CSS = "Picture { min-height: 4; min-width: 12; }"
 
     @dataclass
     class Pointed(Message):
@@ -98,6 +92,12 @@ class Picture(Widget):
         super().notify_style_update()
         self._strips = None
 
+    def on_focus(self) -> None:
+        self.redraw()  # the caption tells it
+
+    def on_blur(self) -> None:
+        self.redraw()
+
     def render_line(self, y: int) -> Strip:
         if self._strips is None or self._drawn_for != self.size:
             self._strips, self._drawn_for = self._lines(), self.size
@@ -113,19 +113,16 @@ class Picture(Widget):
         ground = self.rich_style
         lines = []
         if self._caption:
-            style = ground + self.get_component_rich_style("picture--caption", partial=True)
-            lines.append(Strip([Segment(self._caption(self.canvas)[:columns], style)]))
-        styles = {"": ground}
-        for spans in self.canvas.spans():
-            segments = []
-            for text, role in spans:
-                if role not in styles:
-                    name = f"picture--{role}"
-                    known = name in self.COMPONENT_CLASSES
-                    more = self.get_component_rich_style(name, partial=True) if known else ground
-                    styles[role] = ground + more
-                segments.append(Segment(text, styles[role]))
-            lines.append(Strip(segments))
+            style = ground + _look("caption of focus" if self.has_focus else "caption")
+            text = self._caption(self.canvas)
+            # What finds no room is left out whole, as half a number is another number.
+            while len(text) > columns and ", " in text:
+                text = text.rpartition(", ")[0]
+            lines.append(Strip([Segment(text[:columns], style)]))
+        lines += [
+            Strip([Segment(text, ground + _look(role)) for text, role in spans])
+            for spans in self.canvas.spans()
+        ]
         return [line.adjust_cell_length(columns, ground) for line in lines]
 
     # The mouse.
@@ -148,3 +145,8 @@ class Picture(Widget):
         if self.canvas is not None and 0 <= event.x < self.canvas.columns and 0 <= row < self.canvas.rows:
             x, y = self.canvas.place(event.x, row)
             self.post_message(self.Pointed(self, x, y))
+
+
+def _look(role: str) -> RichStyle:
+    """The style of a role in the theme of now; Textual remembers it until the theme changes."""
+    return Style.parse(LOOKS.get(role, "")).rich_style

@@ -81,14 +81,20 @@ class ArmStation(Station):
         self._seen = self._owed = 0.0
         self._pictures = 0
 
+    @classmethod
+    def prepare(cls) -> None:
+        there_and_back(load_robot(ROBOT).limb())
+
     def compose_body(self) -> ComposeResult:
         joints = self.limb.joint_names
         with Horizontal(classes="row"):
             yield Choice(self.robot.limbs, self.limb.name, id="limb")
             yield Choice(LAWS, self.settings.law, id="law")
             yield Choice(joints, joints[self.joint], id="joint")
-            yield Button(id="play", compact=True)
-            yield Button(id="reset", compact=True)
+            for name in ("play", "reset"):
+                button = Button(id=name, compact=True)
+                button.active_effect_duration = 0  # while it lasts, a click is not heard
+                yield button
         with Grid(id="dials"):
             for name, (unit, high, step, least) in DIALS.items():
                 yield Dial(name, unit, low=0, high=high, step=step, widest=(least, 1e6), id=name)

@@ -11,7 +11,7 @@ from textual.widgets import Select, Static
 
 from kinlab.canvas import Canvas
 from kinlab.errors import KinlabError
-from kinlab.gait import Cycle, Walk, cycle_of, find_gait, gaits_for, plan
+from kinlab.gait import Cycle, Walk, cycle_of, find_gait, gaits_for, load_gaits, plan
 from kinlab.gait.drawing import draw_support, draw_swing
 from kinlab.gait.plan import SPEED
 from kinlab.robots import Robot
@@ -69,6 +69,10 @@ class GaitStation(Station):
         self._seen = 0.0
         self._facts = ""
         self._pictures = 0
+
+    @classmethod
+    def prepare(cls) -> None:
+        load_gaits()
 
     def compose_body(self) -> ComposeResult:
         with Horizontal(classes="row"):
@@ -178,7 +182,8 @@ class GaitStation(Station):
         step = cycle.walk.period / len(cycle)
         self._margins = [((i + 0.5) * step, margin) for i, margin in enumerate(margins)]
         source = cycle.walk.gait.source
-        self.tell("note", self.say("walk.source", gait=self.gait_name, kind=source.kind, text=source.text))
+        kind = self.say(f"kind.{source.kind}")
+        self.tell("note", self.say("walk.source", gait=self.gait_name, kind=kind, text=source.text))
         self._show()
 
     @on(Select.Changed)

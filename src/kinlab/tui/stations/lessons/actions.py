@@ -13,6 +13,7 @@ ACTIONS = (
     Action("check", "ctrl+g,k"),
     Action("again", "ctrl+r,r"),
     Action("contents", "ctrl+y,l"),
+    Action("glossary", "f11,g", shown=False),
     Action("scroll", "pageup,pagedown", each=("scroll(-1)", "scroll(1)"), shown=False, priority=True),
     # At the list.
     Action("search", "slash"),

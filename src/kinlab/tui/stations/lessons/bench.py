@@ -1,4 +1,4 @@
-"""The instrument beside an exercise: a limb to turn, a chain's registers and wire, the bytes that are typed."""
+"""The instrument beside an exercise: a limb to turn, a gait, a chain's registers and wire, the bytes that are typed."""
 
 from collections.abc import Callable
 from typing import Any
@@ -19,6 +19,7 @@ from kinlab.lessons.kinds.state import Workbench
 from kinlab.robots import Limb
 from kinlab.robots.views import SIDE, TOP, draw_view, size_of, view
 from kinlab.tui.numbers import shown
+from kinlab.tui.stations.lessons.gait_bench import GaitBench
 from kinlab.tui.stations.packet.registers import Registers
 from kinlab.tui.stations.packet.sheet import Sheet
 from kinlab.tui.stations.packet.traffic import Traffic
@@ -177,14 +178,15 @@ class Bench(Vertical):
     DEFAULT_CSS = """
     Bench {
         height: 1fr; padding: 0 1;
-        LegBench, ChainBench, BytesBench { display: none; height: 1fr; }
-        &.leg LegBench, &.chain ChainBench, &.bytes BytesBench { display: block; }
+        LegBench, GaitBench, ChainBench, BytesBench { display: none; height: 1fr; }
+        &.leg LegBench, &.gait GaitBench, &.chain ChainBench, &.bytes BytesBench { display: block; }
     }
     """
-    KINDS = ("leg", "chain", "bytes")
+    KINDS = ("leg", "gait", "chain", "bytes")
 
     def compose(self) -> ComposeResult:
         yield LegBench()
+        yield GaitBench()
         yield ChainBench()
         yield BytesBench()
 

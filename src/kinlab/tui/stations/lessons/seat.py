@@ -7,13 +7,15 @@ import numpy as np
 
 from kinlab.dynamixel.sandbox.session import Line
 from kinlab.errors import KinlabError
+from kinlab.gait import Cycle, cycle_of, gaits_for, plan
 from kinlab.kinematics.transforms import Array
 from kinlab.lessons import Sitting, Task, Verdict
+from kinlab.lessons.kinds import rehearse
 from kinlab.lessons.kinds.joints import angles_deg
 from kinlab.lessons.kinds.state import Workbench
 from kinlab.lessons.replies import LONGEST_SCRIPT, UnreadableError, clean
 from kinlab.lessons.results import Holds, Reach
-from kinlab.lessons.robots import load_robot
+from kinlab.lessons.robots import find_gait, load_robot
 from kinlab.lessons.sitting import Step
 from kinlab.papers.tour import first_target
 from kinlab.robots import Limb
@@ -72,10 +74,13 @@ class Seat:
             tables: of the same lesson, in another language.
 
         Raises:
-            LessonError: the lesson's texts cannot be filled in.
+            LessonError: something of the lesson cannot be filled in or computed.
         """
         self.sitting = sitting
         self.steps: list[Step] = sitting.steps()
+        # What fails is better said here than in the middle of the lesson.
+        for task in sitting.tasks.values():
+            rehearse(task)
         begin = next(
             (i for i, s in enumerate(self.steps) if s.task and s.task.exercise.id in sitting.open), 0
         )
@@ -165,7 +170,7 @@ class Seat:
 
     @property
     def instrument(self) -> str:
-        """What belongs beside the exercise of now: "leg", "chain", "bytes"; "" for nothing."""
+        """What belongs beside the exercise of now: "leg", "gait", "chain", "bytes"; "" for nothing."""
         if self.task is None:
             return ""
         if self.task.exercise.kind == "state":
@@ -173,7 +178,7 @@ class Seat:
         if self.task.exercise.kind == "bytes":
             # A value by itself has no fields.
             return "bytes" if bytes(self.task.answer).startswith(b"\xff\xff") else ""
-        return "leg" if self.sitting.lesson.robot else ""
+        return self.sitting.lesson.instrument
 
     def limb(self) -> tuple[Limb, Array, Array | None]:
         """The limb that the exercise is about, a pose (n,), rad, and a target (3,), metres, if there is one."""
@@ -188,6 +193,19 @@ class Seat:
         robot = load_robot(self.sitting.lesson.robot)
         found = limb.ik(first_target(robot, limb))
         return limb, found.q if found.reachable else limb.limits.mean(axis=0), target
+
+    def walk(self, gait: str = "") -> Cycle:
+        """The lesson's robot in a gait; default that which the student's numbers name, else its usual one.
+
+        Raises:
+            KinlabError: it does not walk.
+        """
+        robot = load_robot(self.sitting.lesson.robot)
+        drawn = self.task.values.get("gait") if self.task else None
+        known = [gait, drawn] if isinstance(drawn, str) else [gait]
+        return cycle_of(
+            plan(robot, find_gait(robot, next((g for g in known if g in gaits_for(robot)), None)))
+        )
 
     def typed_angles(self, reply: str) -> Array | None:
         """The pose (n,), rad, that an answer gives; None where it gives none."""

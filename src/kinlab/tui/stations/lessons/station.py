@@ -16,6 +16,7 @@ from kinlab.tui.stations.lessons.actions import ACTIONS, AT_EXERCISE, AT_LIST, I
 from kinlab.tui.stations.lessons.bench import LegBench
 from kinlab.tui.stations.lessons.browser import Browser, List, Search
 from kinlab.tui.stations.lessons.flow import Flow
+from kinlab.tui.stations.lessons.gait_bench import GaitBench
 from kinlab.tui.stations.lessons.page import Page
 from kinlab.tui.stations.lessons.room import Room
 from kinlab.tui.stations.lessons.seat import Seat
@@ -176,6 +177,8 @@ class LessonsStation(Station):
             self.ask(seat.open_bench, lambda _: self.room.chain())
         elif seat.instrument == "leg":
             self.ask(seat.limb, lambda found: self.query_one(LegBench).take(*found))
+        elif seat.instrument == "gait":
+            self.ask(seat.walk, self.query_one(GaitBench).take)
 
     # Answers.
 
@@ -244,6 +247,12 @@ class LessonsStation(Station):
                 return seat.sitting.picture(figure, event.columns, ascii_only=self.lab.ascii_only)
 
             self.ask(draw, lambda picture, figure=figure: event.flow.draw(figure, event.columns, picture))  # type: ignore[misc]
+
+    @on(GaitBench.Wanted)
+    def _walk(self, event: GaitBench.Wanted) -> None:
+        seat = self.seat
+        if seat is not None:
+            self.ask(lambda: seat.walk(event.gait), self.query_one(GaitBench).take)
 
     @on(Steps.Chosen)
     def _to_step(self, event: Steps.Chosen) -> None:
@@ -399,6 +408,13 @@ class LessonsStation(Station):
     def action_scroll(self, pages: int) -> None:
         """Scroll what is read."""
         self.room.scroll_page(pages)
+
+    def action_glossary(self) -> None:
+        """Look up a word."""
+        from kinlab.tui.stations.lessons.dialogs import Glossary
+
+        if self.course is not None:
+            self.app.push_screen(Glossary(self, self.course.glossary.values(), self.lab.tongue))
 
     def action_search(self) -> None:
         """Look for a lesson."""

@@ -51,7 +51,8 @@ def _about(course: Course, lesson: Lesson, progress: Progress, language: str, sa
     facts = []
     if lesson.prerequisites:
         titles = (
-            course.lessons[p].title(language) if p in course.lessons else p for p in lesson.prerequisites
+            f"'{course.lessons[p].title(language)}'" if p in course.lessons else p
+            for p in lesson.prerequisites
         )
         facts.append(say("after", lessons=", ".join(titles)))
     if lesson.robot:

@@ -18,7 +18,6 @@ from kinlab.kinematics.transforms import Array
 from kinlab.robots import Limb, Robot
 from kinlab.robots.load import load_robots, shipped_robots
 from kinlab.robots.model import FRAMES
-from kinlab.robots.views import SIDE, TOP
 from kinlab.tui.numbers import shown
 from kinlab.tui.station import Station
 from kinlab.tui.stations.robot.actions import ACTIONS
@@ -33,6 +32,7 @@ if TYPE_CHECKING:
     from kinlab.tui.stations.robot.asking import Answer, Asker
 
 STEP = 0.001  # m; how far an arrow key moves the target
+SIDE, TOP = "side", "top"  # the pictures
 
 
 class RobotStation(Station):
@@ -185,10 +185,13 @@ class RobotStation(Station):
         if other or answer.path.pose is not None:
             self.stood = answer.path.pose.q if answer.path.pose is not None else None
         if self._asked is None:
+            begins = other or self.target is None
             if self.angles is not None or self.target is None:
                 # Where angles lead is the target to go on with.
                 self.target = answer.path.answer.target
-            self._show_form()
+            # Dials that already stand there may hold what has just been typed, and is on its way.
+            if begins:
+                self._show_form()
         self._paint()
 
     def _paint(self) -> None:
@@ -269,6 +272,7 @@ class RobotStation(Station):
         self.target = np.round(target, 4)
         if self.angles is not None:
             self._begin_at_angles(None)
+        self._show_form()
         self.ask()
 
     # The form.
@@ -296,6 +300,7 @@ class RobotStation(Station):
     def _choose_frame(self, event: Select.Changed) -> None:
         if event.select.value != self.frame:
             self.frame = str(event.select.value)
+            self._show_form()
             self.ask()
 
     @on(Select.Changed, "#begin")
@@ -318,6 +323,7 @@ class RobotStation(Station):
     def _begin_at_angles(self, angles: Array | None) -> None:
         self.angles = angles
         self.query_one("#begin", Choice).put("target" if angles is None else "angles")
+        self._show_form()
         self.ask()
 
     def take(self, robot: Robot, limb: Limb | None = None) -> None:
