@@ -120,6 +120,15 @@ def test_a_gait_has_every_foot_joint_and_margin_of_every_frame(name, gait, read_
     np.testing.assert_allclose(found.times("/margins", "scalars"), t, atol=2e-9)
 
 
+def test_a_robot_that_walks_in_a_circle_stays_in_sight(read_back):
+    robot = load_robot("krsri-hexapod")
+    walk = plan(robot, find_gait(robot, "tripod"), forward=0.03, turn=0.1)
+    round_once = round(2 * np.pi / 0.1 / walk.period)
+    found = read_back(gait_scene(walk, each=2, cycles=round_once))
+    for place in np.array(found.values("/world/body", "translation"))[:, 0]:
+        assert off_sight(found, place) < 0.4
+
+
 def test_the_support_polygon_is_spanned_by_the_standing_feet_and_the_mass_is_over_it(read_back):
     robot = load_robot("krsri-hexapod")
     walk = plan(robot, find_gait(robot, "tripod"), turn=0.1)
