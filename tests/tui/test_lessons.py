@@ -661,3 +661,16 @@ def test_a_lesson_of_ones_own_that_fails_is_named_and_not_opened(
         assert station.seat.name
 
     take(script, size=(160, 30))
+
+
+def test_the_last_thing_that_a_chain_said_is_in_sight(take, lab):
+    async def script(pilot, station):
+        for line in ("wait 0.1", "ping 1", "help", "nonsense", "done", "ping 2"):
+            await type_in(pilot, line)
+            await press(pilot, "enter")
+            talk = station.query_one("#talk")
+            said = [part for _, part in station.seat.table.talk[-2]]
+            assert "".join(said).strip()[:40] in lab.text(pilot.app), line
+            assert talk.scroll_offset.y == talk.max_scroll_y, line
+
+    take(script, "silent-bus", 1, (130, 40))
