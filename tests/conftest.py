@@ -5,9 +5,12 @@ import time
 from collections.abc import Callable
 
 import pytest
-from hypothesis import settings
+from hypothesis import HealthCheck, settings
 
-settings.register_profile("kinlab", derandomize=True, deadline=None)
+# A busy machine may be slow at drawing them.
+settings.register_profile(
+    "kinlab", derandomize=True, deadline=None, suppress_health_check=[HealthCheck.too_slow]
+)
 settings.load_profile("kinlab")
 
 # Under nohup, or behind a shell's `&`, these are ignored, by every program that a test starts as well.

@@ -55,6 +55,14 @@ def test_labels_never_cover_marks_or_each_other():
     assert 1 <= text.count("name") <= 4
 
 
+def test_two_labels_never_read_as_one():
+    canvas = _square()
+    canvas.label(canvas.place(9, 4), "femur", "")
+    canvas.label(canvas.place(5, 4), "coxa", "")
+    assert "coxafemur" not in canvas.text()
+    assert canvas.text().count("coxa") == 1
+
+
 def test_a_label_may_stand_on_the_left_first():
     for left, text in ((False, "o name"), (True, "name o")):
         canvas = _square()

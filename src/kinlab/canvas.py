@@ -120,8 +120,12 @@ class Canvas:
             places[:2] = places[1::-1]
         for r, c in places:
             inside = 0 <= r < self.rows and c >= 0 and c + len(text) <= self.columns
-            if inside and not any(
-                (r, c + i) in self._chars or self._bits[r][c + i] for i in range(len(text))
+            # Two names side by side would read as one.
+            apart = not any(self._chars.get((r, at), "").isalnum() for at in (c - 1, c + len(text)))
+            if (
+                inside
+                and apart
+                and not any((r, c + i) in self._chars or self._bits[r][c + i] for i in range(len(text)))
             ):
                 for i, char in enumerate(text):
                     self._chars[r, c + i], self._roles[r, c + i] = char, role

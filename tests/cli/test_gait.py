@@ -233,6 +233,17 @@ def test_ctrl_c_ends_the_steps_quietly():
     assert terminal.ends() in (130, -signal.SIGINT)
 
 
+def test_a_negative_margin_is_said_in_words(kinlab):
+    falling, dynamic, steady = (
+        kinlab("gait", *args, "--json").json["notes"][0]
+        for args in (("udiebot", "--gait", "pace"), ("eros", "--speed", 5000), ("krsri-hexapod",))
+    )
+    assert "a robot that stopped there would fall" in falling
+    assert "outside too, and it tips" in falling
+    assert "its zero moment point stays" in dynamic
+    assert steady.startswith("gait tripod")
+
+
 def test_a_margin_that_does_not_exist_is_null(kinlab):
     found = kinlab("gait", "udiebot", "--gait", "pace", "--json").json
     assert found["margins"]["longitudinal_mm"] is None

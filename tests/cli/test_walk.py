@@ -170,13 +170,12 @@ def test_ctrl_c_ends_a_walk(kinlab, monkeypatch, after):
     answer = kinlab(*SHORT)
     assert answer.code == 130
     assert ("before its end" in answer.out) == bool(after)
+    assert ("before the first step" in answer.err) == (not after)
     assert {servo.memory["torque_enable"] for servo in rigs[0].chain.servos} == {0}
 
 
 def test_a_servo_that_does_not_let_go_is_named(kinlab, monkeypatch):
-    from kinlab.rig import Rig
-
-    monkeypatch.setattr(Rig, "_off", lambda rig, number: number != 7)
+    monkeypatch.setattr("kinlab.rig.release._is_off", lambda bus, servo: servo != 7)
     answer = kinlab(*SHORT, "--json")
     assert answer.json["torque_off_unconfirmed"] == [7]
     assert answer.err == "kinlab: torque off is not confirmed by servo 7\n"

@@ -316,6 +316,7 @@ BY_HAND: dict[str, Callable[[Values], Any]] = {
     "elbow/ways": lambda v: "four",
     "elbow/mirror": lambda v: mirrored(v, v["px"], v["pz"]),
     "elbow/fits": lambda v: passes(v, *knee_up(v, v["x"], 0, v["z"])[1:]) + passes(v, *mirrored(v, v["x"], v["z"])),
+    "elbow/rail": lambda v: (0, *mirrored(v, v["x"], v["z"])),
     "elbow/change": lambda v: "never",
     "elbow/registers": lambda v: sorted(ticks(v["servo"], limit) for limit in (v["low"], v["high"])),
     "reach/argument": lambda v: cosine(v, hypot(v["px"] - links(v)[0], v["pz"])),

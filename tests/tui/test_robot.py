@@ -1,11 +1,14 @@
 """The Robot station: every action by key and by mouse, what is typed, and what it shows."""
 
+import asyncio
+
 import numpy as np
 import pytest
 from textual.widgets import Static
 
 from kinlab.errors import KinlabError
 from kinlab.robots import load_robot
+from kinlab.tui.stations.robot.form import Form
 from kinlab.tui.widgets import Choice, Dial, Picture
 
 
@@ -67,6 +70,28 @@ def test_what_is_typed_first_takes_the_place_of_the_number(lab):
         assert pilot.app.screen.target[0] == pytest.approx(0.090)
 
     lab.drive(script)
+
+
+def test_what_is_typed_while_an_answer_comes_is_not_lost(run):
+    async def script(pilot, station):
+        field, before = dial(station, 0).field, station.answer
+        field.focus()
+        field.value = "90"
+        while field.number != 90:
+            await asyncio.sleep(0)
+        station._show(before)
+        await settle(pilot)
+        assert station.target[0] == pytest.approx(0.090)
+
+    run(script)
+
+
+def test_the_dials_are_those_of_angles_as_soon_as_the_path_begins_there(run):
+    async def script(pilot, station):
+        station.action_begin()
+        assert station.query_one(Form).angles(3) == pytest.approx(station.angles)
+
+    run(script)
 
 
 def test_what_is_no_number_is_explained_and_the_last_good_state_stays(run):

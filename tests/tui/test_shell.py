@@ -15,7 +15,7 @@ from kinlab.errors import FileError
 from kinlab.guests import GUEST
 from kinlab.language import LANGUAGES, words_of
 from kinlab.tui.actions import SHELL, bindings
-from kinlab.tui.app import _station, run
+from kinlab.tui.app import KinlabApp, _station, run
 from kinlab.tui.help import Help
 from kinlab.tui.palette import Actions
 from kinlab.tui.station import Station
@@ -244,9 +244,11 @@ def test_the_palette_finds_an_action_by_its_name(lab):
     async def script(pilot):
         await pilot.press("ctrl+p")
         await pilot.press(*"dark or")
-        found = pilot.app.screen.query_one(CommandList)
+        hits = pilot.app.screen.query_one(CommandList)
         await pilot.app.workers.wait_for_complete()
-        await lab.until(pilot, lambda: found.highlighted == 0)
+        await lab.until(
+            pilot, lambda: hits.highlighted == 0 and "dark or light" in str(hits.options[0].prompt)
+        )
         await pilot.press("enter")
         await lab.until(pilot, lambda: pilot.app.theme == "kinlab-light")
 
@@ -275,6 +277,19 @@ def test_a_mistake_of_our_own_leaves_a_report_and_no_page_of_code(lab, capsys):
     assert "KinLab has stopped because of a mistake of its own: ZeroDivisionError" in said
     assert "Please report it" in said
     assert "Traceback" not in said
+
+
+def test_an_answer_that_comes_after_somebody_has_left_is_no_mistake(lab, capsys):
+    async def script(pilot):
+        async def answer():
+            while pilot.app.is_running:
+                await asyncio.sleep(0)
+            pilot.app.screen.query_one("Nothing")
+
+        pilot.app.screen.run_worker(answer())
+
+    lab.drive(script)
+    assert not capsys.readouterr().err
 
 
 def test_ctrl_c_leaves_cleanly(lab):
@@ -309,3 +324,12 @@ def test_settings_that_cannot_be_written_are_told_after_leaving_and_harm_nothing
 
     app = lab.drive(script)
     assert "state" in app.unkept
+
+
+def test_what_could_not_be_kept_is_told_in_the_language_that_was_spoken(tmp_path, monkeypatch, capsys):
+    (tmp_path / "state").write_text("a file where a folder should be")
+    monkeypatch.setattr(KinlabApp, "run", lambda app: setattr(app, "tongue", "id") or app.keep())
+    assert run() == 0
+    told = capsys.readouterr().err
+    assert told.startswith("kinlab: pilihan Anda tidak tersimpan")
+    assert "state" in told

@@ -97,7 +97,7 @@ def _diagram(answer: GaitReport, now: Phase | None) -> Table:
 
 
 def _mm(value: float | None) -> str:
-    return "-" if value is None else f"{value * 1000 + 0.0:.1f}"
+    return "-" if value is None else f"{round(value * 1000, 1) + 0.0:.1f}"
 
 
 def _phases(answer: GaitReport) -> Table:

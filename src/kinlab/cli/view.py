@@ -104,9 +104,9 @@ def view(
         if how := _viewer(spawn, serve, None, port, page_port):
             _show(Path(robot), how)
         return
-    how = _viewer(spawn, serve, save, port, page_port)
-    check_rrd(save, force, "--save")
     machine = load_robot(robot, robots)
+    check_rrd(save, force, "--save")
+    how = _viewer(spawn, serve, save, port, page_port)
     reached = True
     if target is not None:
         recording, reached = _target(machine, limb, target, frame, unit, frames=frames, workspace=workspace)

@@ -198,7 +198,8 @@ def _one(
         finally:
             _warn(rig)
     if not samples:
-        raise KeyboardInterrupt
+        typer.echo("kinlab: interrupted before the first step", err=True)
+        raise typer.Exit(INTERRUPTED)
     return WalkResult.of(errand, Record(rig.wiring, samples), rig)
 
 

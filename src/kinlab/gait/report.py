@@ -98,9 +98,10 @@ class GaitReport:
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What is assumed, in sentences."""
+        """Whether it would fall, and what is assumed, in sentences."""
         walk = self.walk
-        found = [f"gait {walk.gait.name} is {walk.gait.source.kind}: {walk.gait.source.text}"]
+        found = [self._balance] if min(least.static for least in self.least) < 0 else []
+        found += [f"gait {walk.gait.name} is {walk.gait.source.kind}: {walk.gait.source.text}"]
         found.append(f"mass: {mass_note(walk.robot)}")
         found.append("stride and lift are assumed where none was asked for: no paper prints a stroke")
         if self.theory is not None:
@@ -108,6 +109,21 @@ class GaitReport:
         if walk.robot.kind == "humanoid":
             found += [DECELERATION, HEEL_STRIKE]
         return tuple(found)
+
+    @property
+    def _balance(self) -> str:
+        """What a negative static margin means."""
+        least = min(self.least, key=lambda found: found.static)
+        zmp = min(found.zmp for found in self.least) * 1000
+        said = (
+            f"in phase {least.phase.number} the centre of mass lies up to {-least.static * 1000:.1f} mm outside the "
+            "feet on the ground: a robot that stopped there would fall"
+        )
+        if zmp >= 0:
+            return f"{said}; while it walks, its zero moment point stays {zmp:.1f} mm inside them"
+        return (
+            f"{said}; while it walks, its zero moment point lies up to {-zmp:.1f} mm outside too, and it tips"
+        )
 
     def to_json(self, frames: int = FRAMES) -> dict[str, Any]:
         """The contract of `kinlab gait --json`; `frames` of one cycle, evenly spaced."""

@@ -8,20 +8,19 @@ from types import TracebackType
 import numpy as np
 from numpy.typing import ArrayLike
 
-from kinlab.dynamixel import Bus, BusError, Chain, MemoryPort, Port, PortError, SimulatedClock, open_port
+from kinlab.dynamixel import Bus, BusError, Chain, MemoryPort, Port, SimulatedClock, open_port
 from kinlab.dynamixel.chain import Clock
 from kinlab.dynamixel.outfit import worn_by
 from kinlab.dynamixel.tables import Register
 from kinlab.errors import KinlabError
 from kinlab.kinematics.transforms import Array
+from kinlab.rig.release import torque_off
 from kinlab.rig.wiring import Wiring
 from kinlab.robots import Limb, Robot
 
 # A joint goes to where it is wanted no faster than this (rad/s), by a path of this many points a second.
 GENTLE = np.radians(60)
 GENTLE_RATE = 50.0
-# How often a servo that does not confirm is told again that its torque is off.
-OFF_ROUNDS = 3
 
 
 @dataclass(frozen=True, eq=False)
@@ -146,19 +145,8 @@ class Rig:
             self.bus.write(number, "torque_enable", 1)
 
     def release(self) -> None:
-        """Switch the torque off: all servos in one packet, then each again until it confirms."""
-        servos = self.unconfirmed = self.wiring.ids
-        with suppress(PortError):
-            self.bus.sync_write("torque_enable", dict.fromkeys(servos, 0))
-            for _ in range(OFF_ROUNDS):
-                self.unconfirmed = tuple(number for number in self.unconfirmed if not self._off(number))
-
-    def _off(self, number: int) -> bool:
-        try:
-            self.bus.write(number, "torque_enable", 0)
-        except BusError:
-            return False
-        return True
+        """Switch the torque off, and note which servos did not confirm it."""
+        self.unconfirmed = torque_off(self.bus, self.wiring.ids)
 
     def command(self, ticks: ArrayLike) -> None:
         """Send the joints to position commands (J,), see `Wiring.ticks`: one sync write for all."""

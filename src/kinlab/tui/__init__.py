@@ -26,6 +26,7 @@ A station is a screen of its own, a package `stations/NAME/` with its words besi
 Keys: ones that terminals and multiplexers leave alone. While a field has the focus, letters and digits are typed, so
 that an action needed there has a function key or one with Ctrl as well. Reserved by the shell: F1 and ?, F2 to F6 and
 1 to 5, Ctrl-N, Ctrl-P, Ctrl-T, Ctrl-L, Ctrl-Z, Ctrl-Q, Ctrl-C, Tab; Escape leaves the field that has the focus.
+Ctrl-N, Ctrl-T and Ctrl-W never reach a session in a browser: nothing may depend on them alone.
 
 Widgets to build from: `Picture` (a canvas by a function of its size; posts `Pointed` with places of the drawing),
 `Plot` (curves), `Dial` (label, slider and number in one row; posts `Changed`), `NumberField`, `Slider`, `Choice`

@@ -222,6 +222,11 @@ class KinlabApp(App[None]):
         self.keep()
         super().exit(*args, **settings)
 
+    def _handle_exception(self, error: Exception) -> None:
+        """An error; where somebody has left, what was under way has no screen to show itself on: that is none."""
+        if self.is_running:
+            super()._handle_exception(error)
+
     def _fatal_error(self) -> None:
         """KinLab itself has failed: no page of code, but where the report is and what is asked for.
 
@@ -257,7 +262,8 @@ def run(station: str | None = None) -> int:
     app.animation_level = "none"
     app.run()
     if app.unkept:
-        sys.stderr.write(f"kinlab: {app.unkept}\n")
+        told = words_of("kinlab.tui").say(app.tongue, "shell.unkept", why=app.unkept)
+        sys.stderr.write(f"kinlab: {told}\n")
     return app.return_code or 0
 
 

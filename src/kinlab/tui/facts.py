@@ -5,11 +5,11 @@ from collections.abc import Sequence
 BETWEEN = "  ·  "
 
 
-def fitting(facts: Sequence[str], width: int) -> str:
+def fitting(facts: Sequence[str], width: int, between: str = BETWEEN) -> str:
     """The first of these facts in one line, as many as have room in `width` characters, and at least one."""
     line = facts[0]
     for fact in facts[1:]:
-        if len(line) + len(BETWEEN) + len(fact) > width:
+        if len(line) + len(between) + len(fact) > width:
             break
-        line += BETWEEN + fact
+        line += between + fact
     return line

@@ -39,12 +39,12 @@ class Help(ModalScreen[None]):
 
     def compose(self) -> ComposeResult:
         station = self.station
-        with VerticalScroll():
+        with VerticalScroll() as page:
+            page.border_subtitle = Content(station.say("shell.close_help"))
             yield Static(station.say(f"station.{station.NAME}"), classes="head", markup=False)
             yield Static(station.say("help"), markup=False)
             yield Static(station.say("shell.keys"), classes="head", markup=False)
             yield Static(self._keys())
-            yield Static(station.say("shell.close_help"), classes="head", markup=False)
 
     def _keys(self) -> Content:
         lines = []

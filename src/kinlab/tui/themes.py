@@ -22,6 +22,14 @@ _LIGHT = {
     "faint": "#a9b2b9",
 }
 
+
+def _variables(colours: dict[str, str], ground: str) -> dict[str, str]:
+    """The theme's variables; scrollbars keep in the background."""
+    bars = {f"scrollbar{state}": colours["faint"] for state in ("", "-hover")}
+    grounds = {f"scrollbar-background{state}": ground for state in ("", "-hover", "-active")}
+    return colours | bars | {"scrollbar-active": colours["quiet"]} | grounds
+
+
 DARK = Theme(
     name="kinlab-dark",
     primary=_DARK["sky"],
@@ -35,7 +43,7 @@ DARK = Theme(
     surface="#182026",
     panel="#212b32",
     dark=True,
-    variables=_DARK,
+    variables=_variables(_DARK, "#182026"),
 )
 LIGHT = Theme(
     name="kinlab-light",
@@ -50,7 +58,7 @@ LIGHT = Theme(
     surface="#f1f2f0",
     panel="#e3e6e6",
     dark=False,
-    variables=_LIGHT,
+    variables=_variables(_LIGHT, "#f1f2f0"),
 )
 THEMES = (DARK, LIGHT)
 DEFAULTS = _DARK

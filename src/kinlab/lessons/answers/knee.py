@@ -1,7 +1,10 @@
 """The other knee, and what limits leave. Angles in degrees, places in millimetres, in the limb frame."""
 
+from dataclasses import replace
+
 import numpy as np
 
+from kinlab.lessons.results import Reach, limb_reach
 from kinlab.lessons.robots import load_robot
 from kinlab.robots import Limb
 from kinlab.robots.inverse import Inverse
@@ -49,6 +52,19 @@ def mirrored_in_the_ground(robot: str, x: float, y: float, z: float) -> list[flo
     """As `knee_down`, the level taken for the mirror in the place of the line to the foot."""
     _, beta, gamma = _pose(robot, x, y, z, "knee-up")
     return [-beta, -gamma]
+
+
+def under_a_rail(robot: str, x: float, z: float) -> Reach:
+    """The joint angles that bring the foot straight ahead of the leg, the knee not above the line to it."""
+    leg = _leg(robot)
+    reach = limb_reach(leg, (x, 0.0, z))
+    below = tuple(_pose(robot, x, 0.0, z, "knee-down"))
+    return replace(reach, solution_deg=below, lower_deg=(*reach.lower_deg[:2], 0.0))
+
+
+def fits_under(robot: str, x: float, z: float) -> bool:
+    """Whether both knees are allowed without the rail, and bent enough to be told apart."""
+    return ways_within_limits(robot, x, 0.0, z) == 2 and abs(_pose(robot, x, 0.0, z, "knee-up")[2]) > 8
 
 
 def line(robot: str, x: float, y: float, z: float) -> float:

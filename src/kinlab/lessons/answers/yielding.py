@@ -85,6 +85,6 @@ def delay(alpha: float, share: float) -> float:
     return cycles(alpha, share) * CYCLE_MS
 
 
-def cycles_in_a_line(alpha: float, share: float) -> float:
-    """As `cycles`, each cycle taken to add the same."""
-    return float(np.ceil(share / 100 / alpha))
+def delay_in_a_line(alpha: float, share: float) -> float:
+    """As `delay`, each cycle taken to add the same."""
+    return float(np.ceil(share / 100 / alpha)) * CYCLE_MS

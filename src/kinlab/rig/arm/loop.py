@@ -59,15 +59,14 @@ class Settings:
     """What a loop is run with.
 
     Attributes:
-        law: by a name or the beginning of one: "none" (each goal is the present angle and one step of the inverse Jacobian), "position"
-            (2.20) or "compliance" (2.26).
+        law: by name or the beginning of one: "none" (each goal is the present angle and one step of the
+            inverse Jacobian), "position" (2.20) or "compliance" (2.26).
         gains, environment: of these.
         running_sum: sum accelerations up into rates without the cycle time. The paper prints no integration.
         alpha: of the torque's low-pass filter.
         dt: the cycle, s.
         cutoff: of the observers, 1/s.
         inertia: nominal, of a motor with its gear, kg m2.
-        coulomb: friction that the reaction-torque observer takes as known, N m.
     """
 
     law: str = "position"
@@ -78,7 +77,6 @@ class Settings:
     dt: float = 0.016
     cutoff: float = 20.0
     inertia: float = 0.0026
-    coulomb: float = 0.0
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "law", resolve(self.law, LAWS, "law"))
@@ -238,8 +236,7 @@ class Machine:
         self.external = self.filtered - self.dynamic
         motor = (self.load, real_rate, settings.inertia, settings.cutoff, settings.dt)
         self.disturbance = observe(self.disturbance, *motor)
-        known = self.dynamic + settings.coulomb * np.sign(qd)
-        self.reaction = observe(self.reaction, *motor, known=known)
+        self.reaction = observe(self.reaction, *motor, known=self.dynamic)
 
     def _follow_blindly(self, k: int) -> None:
         # Section 4.1.1: theta + J^-1 dX, from where the arm is, with the step that the trajectory makes.

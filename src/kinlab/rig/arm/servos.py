@@ -2,17 +2,17 @@
 
 import math
 from collections.abc import Sequence
-from contextlib import suppress
 from dataclasses import dataclass
 from types import TracebackType
 
-from kinlab.dynamixel import Bus, BusError, Chain, MemoryPort, PortError
+from kinlab.dynamixel import Bus, Chain, MemoryPort
 from kinlab.dynamixel.outfit import worn_by
 from kinlab.dynamixel.ports import open_port
 from kinlab.dynamixel.tables import load_table
 from kinlab.errors import KinlabError, UsageError
 from kinlab.rig.arm.push import Push
 from kinlab.rig.arm.world import World, WorldClock
+from kinlab.rig.release import torque_off
 from kinlab.robots import Limb, Robot
 
 MEASURED = ("present_position", "present_speed", "present_load")
@@ -58,7 +58,6 @@ class Setup:
 
 # Only READ is answered (section 2.3.2 c): a WRITE costs the bus half as much.
 ANSWER_READS = 1
-RELEASES = 5  # tries to switch a servo off
 SETTLING = 0.1  # s in which an arm that was just switched on sags until its servos carry it
 
 
@@ -150,19 +149,8 @@ class ArmServos:
         self.bus.port.clock.wait(SETTLING)
 
     def release(self) -> None:
-        """Switch the torque off: all servos in one packet, then each again until it says so."""
-        self.unconfirmed = tuple(self.ids)
-        with suppress(PortError):
-            self.bus.sync_write("torque_enable", dict.fromkeys(self.ids, 0))
-            self.unconfirmed = tuple(i for i in self.ids if not self._off(i))
-
-    def _off(self, servo: int) -> bool:
-        for _ in range(RELEASES):
-            with suppress(BusError):
-                self.bus.write(servo, "torque_enable", 0)
-                if self.bus.read(servo, "torque_enable") == 0:
-                    return True
-        return False
+        """Switch the torque off, and note which servos did not confirm it."""
+        self.unconfirmed = torque_off(self.bus, self.ids)
 
     def read(self, joint: int) -> tuple[float, float]:
         """Where a joint is, rad, and the torque that its servo gives, N m, by one READ.

@@ -184,7 +184,7 @@ class LabServer(Server):
     # Sessions.
 
     def _report(self, key: str, visitor: str, **values: object) -> None:
-        # Half of a name: whoever reads all of it over a shoulder could come under it.
+        # Part of a name: whoever reads all of it over a shoulder could come under it.
         places = {"count": len(self.sessions), "places": self._places}
         self._tell(self._say(key, visitor=visitor[:8], **places, **values))
 
@@ -203,8 +203,8 @@ class LabServer(Server):
         _remember(socket, visitor)
         session = Session(self._words, visitor, self._folders / visitor, socket)
         self.sessions.append(session)
-        self._report("begins", visitor)
         try:
+            self._report("begins", visitor)
             await socket.prepare(request)
             query = request.query
             size = fitting(to_int(query.get("width", ""), 80), to_int(query.get("height", ""), 24))

@@ -114,7 +114,11 @@ class Picture(Widget):
         lines = []
         if self._caption:
             style = ground + _look("caption of focus" if self.has_focus else "caption")
-            lines.append(Strip([Segment(self._caption(self.canvas)[:columns], style)]))
+            text = self._caption(self.canvas)
+            # What finds no room is left out whole, as half a number is another number.
+            while len(text) > columns and ", " in text:
+                text = text.rpartition(", ")[0]
+            lines.append(Strip([Segment(text[:columns], style)]))
         lines += [
             Strip([Segment(text, ground + _look(role)) for text, role in spans])
             for spans in self.canvas.spans()

@@ -91,8 +91,10 @@ class ArmStation(Station):
             yield Choice(self.robot.limbs, self.limb.name, id="limb")
             yield Choice(LAWS, self.settings.law, id="law")
             yield Choice(joints, joints[self.joint], id="joint")
-            yield Button(id="play", compact=True)
-            yield Button(id="reset", compact=True)
+            for name in ("play", "reset"):
+                button = Button(id=name, compact=True)
+                button.active_effect_duration = 0  # while it lasts, a click is not heard
+                yield button
         with Grid(id="dials"):
             for name, (unit, high, step, least) in DIALS.items():
                 yield Dial(name, unit, low=0, high=high, step=step, widest=(least, 1e6), id=name)

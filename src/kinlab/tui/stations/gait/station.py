@@ -182,7 +182,8 @@ class GaitStation(Station):
         step = cycle.walk.period / len(cycle)
         self._margins = [((i + 0.5) * step, margin) for i, margin in enumerate(margins)]
         source = cycle.walk.gait.source
-        self.tell("note", self.say("walk.source", gait=self.gait_name, kind=source.kind, text=source.text))
+        kind = self.say(f"kind.{source.kind}")
+        self.tell("note", self.say("walk.source", gait=self.gait_name, kind=kind, text=source.text))
         self._show()
 
     @on(Select.Changed)

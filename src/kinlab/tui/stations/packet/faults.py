@@ -41,7 +41,10 @@ class Faults(ModalScreen[None]):
     Faults Static { height: auto; }
     Faults .head { text-style: bold; }
     Faults OptionList { height: auto; max-height: 12; border: none; padding: 0; background: $surface; }
-    Faults OptionList > .option-list--option-highlighted { background: $panel; color: $foreground; }
+    Faults OptionList, Faults OptionList:focus {
+        background-tint: $surface 0%;
+        & > .option-list--option-highlighted { background: $faint; color: $foreground; }
+    }
     """
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("escape,q,f9", "dismiss", show=False),

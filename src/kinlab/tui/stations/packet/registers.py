@@ -23,7 +23,7 @@ class Registers(DataTable[Text]):
     DEFAULT_CSS = """
     Registers {
         height: 1fr; background: transparent; overflow-x: hidden;
-        scrollbar-size: 1 1; scrollbar-color: $faint; scrollbar-background: $background;
+        scrollbar-size: 1 1;
     }
     """
 

@@ -18,7 +18,7 @@ class Sheet(VerticalScroll, can_focus=True):
     DEFAULT_CSS = """
     Sheet {
         height: 1fr; padding: 0 1;
-        scrollbar-size-vertical: 1; scrollbar-color: $faint; scrollbar-background: $background;
+        scrollbar-size-vertical: 1;
     }
     Sheet > Static { width: 100%; height: auto; }
     """

@@ -8,7 +8,7 @@ from textual import on
 from textual.app import ComposeResult
 from textual.containers import Horizontal, Vertical
 from textual.content import Content
-from textual.events import Click
+from textual.events import Click, Resize
 from textual.widgets import Input, Select, Static
 
 from kinlab.dynamixel.codec.hextext import show_hex
@@ -20,6 +20,7 @@ from kinlab.dynamixel.sandbox.prompting import hint, preview
 from kinlab.dynamixel.sandbox.session import DEFAULT_CHAIN, Line
 from kinlab.dynamixel.sandbox.wire import exchange_lines
 from kinlab.errors import KinlabError
+from kinlab.tui.facts import fitting
 from kinlab.tui.station import Station
 from kinlab.tui.stations.packet.actions import ACTIONS
 from kinlab.tui.stations.packet.condition import conditions
@@ -190,16 +191,18 @@ class PacketStation(Station):
         return "dxl> " if self.session.assembling is None else f"step {len(self.session.assembling)}> "
 
     def _show_hint(self) -> None:
-        typed = hint(self.session, self.query_one(Prompt).value)
-        self.query_one("#hint", Static).update(Content(typed or self.say("hint")), layout=False)
+        line = self.query_one("#hint", Static)
+        keys = fitting([self.say(f"hint.{key}") for key in ("tab", "up", "escape")], line.size.width)
+        line.update(Content(hint(self.session, self.query_one(Prompt).value) or keys), layout=False)
 
     def _show_registers(self) -> None:
         self.query_one(Registers).put(holdings(self.session, self.servo), "<" if self.lab.ascii_only else "◂")
 
     def _show_condition(self) -> None:
         """Supply, speed and faults, and whether anybody can still answer."""
-        text = ", ".join(conditions(self.session, self.servo, self.say, held=self.held))
-        self.query_one("#condition", Static).update(Content(text), layout=False)
+        line = self.query_one("#condition", Static)
+        facts = conditions(self.session, self.servo, self.say, held=self.held)
+        line.update(Content(fitting(facts, line.size.width, ", ")), layout=False)
         why = silence(self.session)
         if self.has_class("-silent") != bool(why):
             self.set_class(bool(why), "-silent")
@@ -216,6 +219,11 @@ class PacketStation(Station):
         elapse(self.session, passed)
         if self.query_one(Registers).region:
             self._show_registers()
+
+    @on(Resize)
+    def _resized(self) -> None:
+        self.call_after_refresh(self._show_condition)
+        self.call_after_refresh(self._show_hint)
 
     # What a person does.
 

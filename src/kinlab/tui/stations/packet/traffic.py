@@ -21,7 +21,6 @@ class Traffic(OptionList):
 
     DEFAULT_CSS = """
     Traffic { height: 1fr; border: none; padding: 0; background: transparent; scrollbar-size-vertical: 1;
-        scrollbar-color: $faint; scrollbar-background: $background;
     }
     Traffic:focus { border: none; }
     """

@@ -185,10 +185,13 @@ class RobotStation(Station):
         if other or answer.path.pose is not None:
             self.stood = answer.path.pose.q if answer.path.pose is not None else None
         if self._asked is None:
+            begins = other or self.target is None
             if self.angles is not None or self.target is None:
                 # Where angles lead is the target to go on with.
                 self.target = answer.path.answer.target
-            self._show_form()
+            # Dials that already stand there may hold what has just been typed, and is on its way.
+            if begins:
+                self._show_form()
         self._paint()
 
     def _paint(self) -> None:
@@ -269,6 +272,7 @@ class RobotStation(Station):
         self.target = np.round(target, 4)
         if self.angles is not None:
             self._begin_at_angles(None)
+        self._show_form()
         self.ask()
 
     # The form.
@@ -296,6 +300,7 @@ class RobotStation(Station):
     def _choose_frame(self, event: Select.Changed) -> None:
         if event.select.value != self.frame:
             self.frame = str(event.select.value)
+            self._show_form()
             self.ask()
 
     @on(Select.Changed, "#begin")
@@ -318,6 +323,7 @@ class RobotStation(Station):
     def _begin_at_angles(self, angles: Array | None) -> None:
         self.angles = angles
         self.query_one("#begin", Choice).put("target" if angles is None else "angles")
+        self._show_form()
         self.ask()
 
     def take(self, robot: Robot, limb: Limb | None = None) -> None:

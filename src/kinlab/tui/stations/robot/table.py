@@ -32,7 +32,7 @@ class Rows:
         self.error = 12 if width >= 70 else 10
         self.cell = max(min((width - self.label - self.error) // max(columns, 1), 16), 5)
         # In a wide terminal an error stands near what it belongs to.
-        self.width = min(width, 100)
+        self.width = min(width, max(100, self.label + self.cell * columns + self.error))
         self.lines: list[Content] = []
 
     @property
