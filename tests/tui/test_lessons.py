@@ -614,6 +614,11 @@ def test_a_lesson_on_gaits_stands_beside_their_diagram(take, lab):
         assert bench.t == 0.0
         await press(pilot, "f9")
         assert bench.cycle.walk.gait.name == drawn
+        assert "top, cell" in lab.text(pilot.app)
+        assert "stance" in lab.text(pilot.app)
+        await press(pilot, "ctrl+l")
+        assert "atas, sel" in lab.text(pilot.app)
+        assert "menumpu" in lab.text(pilot.app)
 
     take(script, "gaits", 0, (130, 40))
 
