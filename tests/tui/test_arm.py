@@ -261,7 +261,7 @@ def test_plots_show_what_was_measured_of_the_joint_that_is_chosen(run, lab):
         pitch = np.degrees(moments(station)[-1].angles["real"][0])
         assert station.query_one("#position", Plot)._series["arm"][-1][1] == pytest.approx(pitch)
         assert set(station.query_one("#torque", Plot)._series) == {"servo", "model", "observer"}
-        assert set(station.query_one("#estimate", Plot)._series) == {"hand", "(2.23)", "observer"}
+        assert set(station.query_one("#estimate", Plot)._series) == {"hand", "eq. (2.23)", "observer"}
         await pilot.press("l")
         assert station.limb.name == station.query_one("#limb", Choice).value == "left_arm"
         assert not moments(station)

@@ -135,6 +135,42 @@ def test_angles_beyond_a_limit_are_named(run, lab):
 # What is shown.
 
 
+def test_no_number_is_cut_where_a_limb_has_many_joints(run):
+    async def script(pilot, station):
+        station.take(station.robots["eros"])
+        await settle(pilot)
+        rows = shown_rows(station).splitlines()
+        assert "z -235" in rows[0]
+        pose = station.answer.path.pose
+        assert rows[2].split()[1:7] == [f"{angle:.0f}" for angle in np.degrees(pose.q) + 0.0]
+
+    run(script, (60, 20))
+
+
+def test_a_limb_of_any_number_of_joints_has_a_dial_for_each(lab, tmp_path, monkeypatch):
+    joints = "".join(f"        - {{name: j{i}, axis: {'zyx'[i % 3]}, link: {{x: a}}}}\n" for i in range(9))
+    file = tmp_path / "mine.yaml"
+    file.write_text(
+        f"robots:\n  worm:\n    arm:\n      a: 60\n      joints:\n{joints}"
+        "      members:\n        arm: {at: [0, 0, 0]}\n"
+    )
+    monkeypatch.setenv("KINLAB_ROBOTS", str(file))
+
+    async def script(pilot):
+        station = pilot.app.screen
+        station.take(station.robots["worm"])
+        await settle(pilot)
+        await pilot.press("escape", "f7")
+        dial(station, 8).field.value = "20"
+        await settle(pilot)
+        assert station.answer.path.answer.poses[0].q[8] == pytest.approx(np.radians(20))
+        await pilot.press("f7", "r")
+        await settle(pilot)
+        assert [dial.display for dial in station.query(Dial)] == [True] * 3 + [False] * 6
+
+    lab.drive(script)
+
+
 def test_the_path_of_table_1_stands_there_from_target_to_foot(run):
     async def script(pilot, station):
         rows = shown_rows(station)

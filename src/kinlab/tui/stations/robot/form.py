@@ -15,10 +15,14 @@ from kinlab.units import FARTHEST, to_metres, to_mm
 if TYPE_CHECKING:
     from kinlab.tui.stations.robot.asking import Answer
 
-MOST_JOINTS = 6
+POSED = 6  # joints of a limb that can choose its attitude, and dials that most limbs can do with
 PLACES = ("x", "y", "z")
 TURNS = ("roll", "pitch", "yaw")
 FARTHEST_MM = FARTHEST * 1000
+
+
+def _dial(i: int) -> Dial:
+    return Dial(id=f"dial{i}", widest=(-FARTHEST_MM, FARTHEST_MM))
 
 
 class Form(VerticalScroll, can_focus=False):
@@ -28,7 +32,7 @@ class Form(VerticalScroll, can_focus=False):
     Form {
         height: 100%; padding: 0 1; scrollbar-size-vertical: 1;
         Dial .name { width: 3; }
-        Dial Slider { min-width: 6; margin-right: 1; }
+        Dial Slider { min-width: 5; margin-right: 1; }
         Dial NumberField { width: 8; margin: 0 1 0 0; }
         Dial .unit { width: 3; }
         &.-named Dial .name { width: 9; }
@@ -38,7 +42,7 @@ class Form(VerticalScroll, can_focus=False):
 
     def __init__(self) -> None:
         super().__init__()
-        self._dials = [Dial(id=f"dial{i}", widest=(-FARTHEST_MM, FARTHEST_MM)) for i in range(MOST_JOINTS)]
+        self._dials = [_dial(i) for i in range(POSED)]
 
         for dial, name in zip(self._dials, PLACES, strict=False):
             dial.label(name)
@@ -49,6 +53,8 @@ class Form(VerticalScroll, can_focus=False):
         yield Choice(("-",), "-", id="solution")
 
     def _dress(self, i: int, name: str, unit: str, span: tuple[float, float], number: float) -> None:
+        if i == len(self._dials):
+            self._dials.append(_dial(i))
         dial = self._dials[i]
         dial.label(short(name, 8))
         dial.span(*span, 1.0, unit)
@@ -74,7 +80,7 @@ class Form(VerticalScroll, can_focus=False):
         for i, name in enumerate(PLACES):
             span = (float(np.floor(within[:, i].min())), float(np.ceil(within[:, i].max())))
             self._dress(i, name, "mm", span, float(place[i]))
-        posed = len(limb.joints) >= MOST_JOINTS
+        posed = len(limb.joints) >= POSED
         for i, name in enumerate(TURNS, 3):
             self._dress(i, name, "deg", (-90.0, 90.0), float(np.degrees(rpy[i - 3])))
         self._use(6 if posed else 3)
@@ -95,7 +101,7 @@ class Form(VerticalScroll, can_focus=False):
 
     def rpy(self) -> Array:
         """The attitude that they give (3,), rad."""
-        return np.radians([dial.number for dial in self._dials[3:]])
+        return np.radians([dial.number for dial in self._dials[3:6]])
 
     def angles(self, count: int) -> Array:
         """The joint angles that they give (n,), rad."""

@@ -58,7 +58,6 @@ class RobotStation(Station):
     RobotStation.-narrow {
         #robot { width: 18; } #limb { width: 14; }
         #path { max-height: 8; }
-        Form { width: 29; }
         Picture { display: none; }
         Picture.shown { display: block; }
     }

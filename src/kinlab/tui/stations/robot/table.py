@@ -40,9 +40,30 @@ class Rows:
         """Decimals that a cell has room for."""
         return 3 if self.cell >= 10 else 2 if self.cell >= 8 else 1
 
+    def numbers(self, values: Iterable[float]) -> list[str]:
+        """Numbers with as many decimals as all of them have room for: half a number is another number."""
+        numbers = list(values)
+        for digits in range(self.digits, -1, -1):
+            cells = [f"{round(value, digits) + 0.0:.{digits}f}" for value in numbers]  # no -0
+            if self.holds(cells):
+                break
+        return cells
+
+    def holds(self, cells: Iterable[str]) -> bool:
+        """Whether none of these cells has to be cut."""
+        return all(len(cell) < self.cell for cell in cells)
+
+    def places(self, values: Sequence[float]) -> list[str]:
+        """The coordinates of a place, on all the room of the row where the joints' cells are too small."""
+        cells = [f"{axis} {shown(value, self.digits)}" for axis, value in zip("xyz", values, strict=True)]
+        wide = (self.width - self.label - self.error) // len(cells)
+        return cells if self.holds(cells) else ["".join(f"{cell:>{wide}}" for cell in cells)]
+
     def row(self, label: str, cells: Iterable[str], error: str = "", style: str = "") -> None:
-        """A row of cells, one for each joint."""
-        body = "".join(f"{cell[: self.cell - 1]:>{self.cell}}" for cell in cells)
+        """A row of cells, one for each joint; a single one may take the whole row."""
+        cells = list(cells)
+        room = self.cell - 1 if len(cells) > 1 else self.width
+        body = "".join(f"{cell[:room]:>{self.cell}}" for cell in cells)
         self.line(label, Content.styled(body, style), error)
 
     def line(self, label: str, body: Content, error: str = "") -> None:
@@ -86,14 +107,14 @@ def path_rows(path: WholePath, say: Say, width: int) -> Content:
     limb = answer.limb
     rows = Rows(width, max(len(limb.joints), 3))
     frame = say(f"frame.{answer.frame}")
-    rows.row(say("row.target"), _places(answer.place_mm(answer.target), rows.digits), f"mm {frame}")
+    rows.row(say("row.target"), rows.places(answer.place_mm(answer.target)), f"mm {frame}")
     rows.row("", (short(name, rows.cell - 1) for name in limb.joint_names), style="bold")
     if pose is not None:
         _solved(rows, path, say)
     elif answer.poses:
         for other in answer.poses[:2]:
             rows.row(
-                say("row.angles"), _degrees(answer, other.q, rows.digits), say("row.beyond"), "$vermillion"
+                say("row.angles"), rows.numbers(_degrees(answer, other.q)), say("row.beyond"), "$vermillion"
             )
     return Content("\n").join(rows.lines)
 
@@ -112,7 +133,12 @@ def print_rows(path: WholePath, say: Say, width: int, *, roomy: bool) -> Content
     if path.measured is not None:
         rows.text(say("row.measured"), path.measured.where, f"{path.measured.error_mm:.2f} mm", "$quiet")
     if roomy:
-        rows.row(say("row.limits"), _limits(answer), "deg", "$quiet")
+        low, high = ([f"{angle:.0f}" for angle in ends] for ends in np.degrees(answer.limb.limits))
+        both = [f"{a}..{b}" for a, b in zip(low, high, strict=True)]
+        first, *rest = [both] if rows.holds(both) else [low, high]
+        rows.row(say("row.limits"), first, "deg", "$quiet")
+        for cells in rest:
+            rows.row("", cells, "", "$quiet")
     rows.text(say("row.command"), command(path), style="$quiet")
     return Content("\n").join(rows.lines)
 
@@ -121,7 +147,7 @@ def _solved(rows: Rows, path: WholePath, say: Say) -> None:
     answer, pose = path.answer, path.pose
     assert pose is not None
     limb = answer.limb
-    rows.row(say("row.angles"), _degrees(answer, pose.q, rows.digits), error_mm(pose.error_m))
+    rows.row(say("row.angles"), rows.numbers(_degrees(answer, pose.q)), error_mm(pose.error_m))
     if not pose.servos:
         rows.text(say("row.servos"), say("no_servos"), style="$quiet")
         return
@@ -148,7 +174,7 @@ def _solved(rows: Rows, path: WholePath, say: Say) -> None:
         return
     rows.row(say("row.reported"), (f"{tick:.0f}" for tick in arrival.reported), f"{arrival.seconds:.2f} s")
     tip = place_mm(limb, arrival.tip, answer.frame)
-    rows.row(say("row.foot"), _places(tip, rows.digits), error_mm(path.arrival_error_m))
+    rows.row(say("row.foot"), rows.places(tip), error_mm(path.arrival_error_m))
 
 
 def _folded(label: str, spans: Sequence[tuple[str, str]], rows: Rows) -> list[Content]:
@@ -177,7 +203,7 @@ def _printed(rows: Rows, path: WholePath, say: Say, roomy: bool) -> None:
         if variant.angles is None:
             rows.text(label, variant.note if roomy else say("not_computable"), style="$vermillion")
         else:
-            cells = [f"{np.degrees(a):.{rows.digits}f}" for a in variant.angles.values()]
+            cells = rows.numbers(np.degrees(list(variant.angles.values())).tolist())
             rows.row(label, cells, error_mm(variant.error_m), "$vermillion")
         if roomy:
             for fault in variant.faults:
@@ -188,9 +214,7 @@ def _printed(rows: Rows, path: WholePath, say: Say, roomy: bool) -> None:
             rows.text(say("printed.forward"), say("not_computable"), style="$vermillion")
         else:
             tip = place_mm(answer.limb, forward.pose[:3, 3], answer.frame)
-            rows.row(
-                say("printed.forward"), _places(tip, rows.digits), error_mm(forward.error_m), "$vermillion"
-            )
+            rows.row(say("printed.forward"), rows.places(tip), error_mm(forward.error_m), "$vermillion")
     if not path.printed and not path.printed_fk:
         rows.text(say("row.printed"), say("nothing_printed"), style="$quiet")
 
@@ -207,14 +231,5 @@ def command(path: WholePath) -> str:
     return f"kinlab ik {name} {numbers} --limb {limb}{frame} --as-printed"
 
 
-def _places(values: Sequence[float], digits: int) -> list[str]:
-    return [f"{axis} {shown(value, digits)}" for axis, value in zip("xyz", values, strict=True)]
-
-
-def _degrees(answer: TargetReport, q: object, digits: int) -> list[str]:
-    return [f"{angle:.{digits}f}" for angle in angles_deg(answer.limb, q).values()]  # type: ignore[arg-type]
-
-
-def _limits(answer: TargetReport) -> list[str]:
-    low, high = np.degrees(answer.limb.limits)
-    return [f"{a:.0f}..{b:.0f}" for a, b in zip(low, high, strict=True)]
+def _degrees(answer: TargetReport, q: object) -> list[float]:
+    return list(angles_deg(answer.limb, q).values())  # type: ignore[arg-type]
