@@ -21,10 +21,10 @@ from kinlab.robots.target import solve_target
 from kinlab.scene import Recording, View, arm_scene, gait_scene, target_scene
 from kinlab.scene.viewer import free_port, viewing
 
-WIDTH, HEIGHT, BAR = 1200, 640, 36
+WIDTH, HEIGHT, BAR = 1200, 760, 36
 COLOURS = 128
 # On the time line at the lower edge, and where the mouse points at nothing.
-HALFWAY, BESIDE = (620, 626), (5, 635)
+HALFWAY, BESIDE = (620, HEIGHT - 14), (5, HEIGHT - 5)
 SOFTWARE = [
     "--use-gl=angle",
     "--use-angle=swiftshader",

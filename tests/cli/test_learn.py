@@ -106,6 +106,14 @@ def test_the_lesson_can_be_heard(types: Any, monkeypatch: pytest.MonkeyPatch) ->
     assert types("quit").out == by_option
 
 
+def test_without_any_input_the_lesson_is_shown_and_left(kinlab: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys, "stdin", None)
+    run = kinlab("learn", LEG)
+    assert run.code == 0
+    assert "What you have done is kept." in run.out
+    assert kinlab("learn", "reset", LEG).code == 2
+
+
 def test_no_word_is_swallowed(types: Any) -> None:
     run = types("done", "again", "selesai", "quit")
     assert run.out.count("' is none of the options") == 3

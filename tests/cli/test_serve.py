@@ -70,6 +70,19 @@ def test_it_says_where_it_is_answers_there_and_ends_at_ctrl_c(started, tmp_path)
     assert err == ""
 
 
+def test_a_class_goes_on_though_nobody_reads_along(started):
+    process, place, _ = started("--sessions", "1")
+    process.stderr.close()
+    key = {"Sec-WebSocket-Version": "13", "Sec-WebSocket-Key": "a" * 22 + "=="}
+    ask = urllib.request.Request(f"{place}/ws", headers={"Origin": place, "Upgrade": "websocket", **key})
+    for _ in range(2):  # the first leaves its place to the second
+        # No whole handshake, as urllib asks for every connection to be closed.
+        with pytest.raises(urllib.error.HTTPError) as refused:
+            urllib.request.urlopen(ask, timeout=60)
+        assert refused.value.code == 400
+        refused.value.close()
+
+
 def test_a_foreign_name_is_refused(started):
     _, place, _ = started()
     request = urllib.request.Request(place, headers={"Host": "evil.example"})

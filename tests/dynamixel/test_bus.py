@@ -176,6 +176,16 @@ class TestLateAnswers:
         for _ in range(3):
             assert [late.read(1, name) for name in asked] == [512, 1023, 32, 120, 1, 1]
 
+    def test_of_another_servo_are_passed_over(self, bus_of):
+        bus = bus_of(("AX-12A", [1]), ("AX-12A", [2]))
+        bus.port.chain.faults.delay = 0.002
+        once, again = (type(bus)(bus.port, protocol=1, retries=retries) for retries in (0, 2))
+        with pytest.raises(NoAnswerError):
+            once.ping(1)
+        bus.port.chain.servo(2).forced.add("overload")
+        assert again.ping(2).id == 2
+        assert again.alarms == {2: ["overload"]}
+
     def test_of_many_servos_either(self, late):
         bus = type(late)(late.port, protocol=2)
         for _ in range(3):

@@ -156,6 +156,14 @@ def test_angles_are_right_a_whole_turn_further(samples: Course) -> None:
     assert judge(task, f"{first:.2f} {second + 180:.2f}").code == "partly"
 
 
+def test_a_share_of_one_is_told_from_per_cent(samples: Course) -> None:
+    task = Task.of(samples.lesson("control-tables"), "load", "student-1")
+    verdict = judge(task, f"{task.answer / 100}")
+    assert verdict.code == "unit"
+    assert "is right in fractions of 1, not in %" in verdict.message
+    assert judge(task, f"{task.answer} persen").ok
+
+
 def test_what_has_to_be_exact_says_so(samples: Course) -> None:
     task = Task.of(samples.lesson("control-tables"), "address", "student-1")
     assert kind_of(task).shape(task) == "A number (no unit), exactly."

@@ -121,6 +121,27 @@ def test_a_neighbours_seed_is_noticed(samples: Course, tmp_path: Path) -> None:
     assert any("same seed as budi" in sentence for sentence in ani.forged)
 
 
+def test_work_that_is_handed_in_twice_is_a_note_and_no_accusation(samples: Course, tmp_path: Path) -> None:
+    sitting = taken(samples, tmp_path)
+    (tmp_path / "early.csv").write_text(to_csv(sitting.progress))
+    sitting.check("number", "4")
+    (tmp_path / "late.json").write_text(json.dumps(to_json(sitting.progress, samples)))
+    early, late = verify(
+        [each for name in ("early.csv", "late.json") for each in read_handed(tmp_path / name)], samples
+    )
+    assert early.forged == late.forged == ()
+    assert early.notes == (f"is handed in once more in {tmp_path / 'late.json'}",)
+    # Who names no profile may be anybody: the same file twice may be two people's.
+    nameless = Sitting(samples.lesson("every-kind"), Progress(folder=tmp_path), "en")
+    for name in ("one.json", "two.json"):
+        (tmp_path / name).write_text(json.dumps(to_json(nameless.progress, samples)))
+    one, two = verify(
+        [each for name in ("one.json", "two.json") for each in read_handed(tmp_path / name)], samples
+    )
+    assert "same seed as student" in one.forged[0]
+    assert "same seed as student" in two.forged[0]
+
+
 def test_another_version_is_a_note_and_no_accusation(samples: Course, tmp_path: Path) -> None:
     document = to_json(taken(samples, tmp_path).progress, samples)
     for event in document["events"]:

@@ -90,8 +90,12 @@ def test_free_motion_leaves_a_torque_error_smaller_than_the_papers(path):
 @pytest.mark.parametrize("name", ENVIRONMENTS)
 def test_pushed_the_arm_yields_with_compliance_and_deviates_beyond_fifteen_degrees(path, name):
     outcome = pushed(ROBOT, ARM, path, Settings("compliance", environment=ENVIRONMENTS[name]), SETUP)
-    deviation, yields, _ = outcome.claims
+    deviation, yields, fights = outcome.claims
     assert (deviation.verdict, yields.verdict) == ("reproduced", "reproduced")
+    # Under the push a servo carries what the hand exerts on it.
+    run = outcome.runs["position"]
+    exerted = np.abs(run.torques["pushed"][:, -1])
+    assert float(fights.cause.split()[9]) == pytest.approx(exerted[exerted > 0].mean() / KGF_CM, rel=0.1)
     assert set(outcome.to_json()) == {"experiment", "claims", "notes", "runs"}
 
 
@@ -100,6 +104,17 @@ def test_what_the_observers_find_is_told_joint_by_joint(path):
     notes = observing(record).notes
     assert len(notes) == 2
     assert all("shoulder_pitch" in note and "kgf cm" in note for note in notes)
+
+
+def test_packets_that_were_damaged_do_not_end_the_script(path):
+    record = drive(ROBOT, ARM, path, Settings("none"), SETUP, drop=0.01)
+    texts = [script(record, cycle, ROBOT.name) for cycle in range(len(path.q))]
+    assert any("# damaged: FF" in text for text in texts)
+    for text in texts:
+        frames = [
+            parse_hex(line.partition(" FF")[2]) for line in text.splitlines() if line.startswith("decode")
+        ]
+        assert all(frame[2] + 3 == len(frame) for frame in frames)
 
 
 def test_a_cycle_on_the_wire_is_three_reads_with_answers_and_three_writes(path):

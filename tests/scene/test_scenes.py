@@ -61,11 +61,23 @@ def test_every_limb_of_a_resting_robot_is_where_forward_kinematics_puts_it(name,
         for joint, at in zip(limb.joints, parts, strict=False):
             arrow = np.array(found.values(f"{at}/axis", "vectors")[0][0])
             np.testing.assert_allclose(arrow / np.linalg.norm(arrow), joint.axis, atol=1e-6)
+            assert found.values(f"{at}/axis", "labels") == [[f"axis of {limb.name} {joint.name}"]]
             assert "axis_length" in found.columns[at]
             if any(joint.link):
+                # A capsule lies along z before it is turned.
+                x, y, z, w = found.values(f"{at}/link", "quaternions")[0][0]
+                along = [2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y)]
+                np.testing.assert_allclose(along, joint.link / np.linalg.norm(joint.link), atol=1e-6)
                 assert found.values(f"{at}/link", "labels") == [[joint.name]]
                 length = found.values(f"{at}/link", "lengths")[0][0]
                 assert length == pytest.approx(1000 * np.linalg.norm(joint.link), rel=1e-6)
+        if limb.sole:
+            ((x, y, _),) = found.values(entity(limb, "sole"), "half_sizes")[0]
+            np.testing.assert_allclose([2 * x, 2 * y], 1000 * np.array(limb.sole), rtol=1e-6)
+    ((centre,),), ((half,),) = (found.values("/world/body/shape", name) for name in ("centers", "half_sizes"))
+    mounts = np.array([limb.mount[:3, 3] for limb in robot.limbs.values()]) * 1000
+    assert (np.abs(mounts - centre) < np.array(half) + CLOSE).all()
+    np.testing.assert_allclose(centre, (mounts.max(axis=0) + mounts.min(axis=0)) / 2, atol=CLOSE)
     assert found.timelines == set()
     check_opens(found, "3D")
 
@@ -88,6 +100,8 @@ def test_a_gait_has_every_foot_joint_and_margin_of_every_frame(name, gait, read_
         trail = found.values(f"/world/trails/{leg.name}", "strips")
         ends = np.array([strip[0] for strip in trail if len(strip[0]) == 2])
         np.testing.assert_allclose(ends[:, 1], motion.ground[1:, i] * 1000, atol=CLOSE)
+        np.testing.assert_allclose(found.times(f"/world/trails/{leg.name}", "strips"), t[1:], atol=2e-9)
+        assert found.values(f"/speeds/{leg.name}", "names") == [[f"{leg.name} {j}" for j in leg.joint_names]]
         for path, angles in (("angles", motion.q), ("speeds", joint_rates(walk, t))):
             curve = np.array(found.values(f"/{path}/{leg.name}", "scalars"))
             np.testing.assert_allclose(curve, np.degrees(angles[:, i]), atol=1e-9)
@@ -95,12 +109,24 @@ def test_a_gait_has_every_foot_joint_and_margin_of_every_frame(name, gait, read_
         for row in range(41):
             said = [state for at, _, state in lanes if at <= t[row] + 1e-9][-1]
             assert said == ["swing" if motion.swing[row, i] else "stance"]
+    assert found.values("/margins", "names") == [
+        ["centre of mass to edge", "energy to tip over", "zero moment point to edge"]
+    ]
     margins = np.array(found.values("/margins", "scalars"))
     expected = np.stack([state.static, state.energy, state.zmp_margin], axis=-1) * 1000
     np.testing.assert_allclose(margins, expected, atol=1e-9)
     phases = [phase for _, phase, _ in found.columns["/margins"]["scalars"]]
     assert phases == [round(1000 * p) for p in walk.phase(t)]
     np.testing.assert_allclose(found.times("/margins", "scalars"), t, atol=2e-9)
+
+
+def test_a_robot_that_walks_in_a_circle_stays_in_sight(read_back):
+    robot = load_robot("krsri-hexapod")
+    walk = plan(robot, find_gait(robot, "tripod"), forward=0.03, turn=0.1)
+    round_once = round(2 * np.pi / 0.1 / walk.period)
+    found = read_back(gait_scene(walk, each=2, cycles=round_once))
+    for place in np.array(found.values("/world/body", "translation"))[:, 0]:
+        assert off_sight(found, place) < 0.4
 
 
 def test_the_support_polygon_is_spanned_by_the_standing_feet_and_the_mass_is_over_it(read_back):
@@ -122,6 +148,8 @@ def test_the_support_polygon_is_spanned_by_the_standing_feet_and_the_mass_is_ove
     drop = np.array(found.values("/world/centre_of_mass", "vectors"))[:, 0]
     np.testing.assert_allclose(centre, motion.body[:, :3, 3] * 1000, atol=CLOSE)
     np.testing.assert_allclose((centre + drop)[:, 2], 0, atol=CLOSE)
+    point = np.array(found.values("/world/zero_moment_point", "positions"))[:, 0]
+    np.testing.assert_allclose(point, stability(motion).zmp_over_ground * 1000, atol=CLOSE)
 
 
 def test_a_target_has_its_ghosts_its_errors_and_its_cloud(read_back):
@@ -218,6 +246,8 @@ def test_a_measured_walk_shows_what_the_servos_said(walked, read_back):
         else:
             assert leg == "R2"
             assert len(found.values("/world/body/R2/coxa/femur", "quaternion")) == known.sum() == len(q) - 3
+        speeds = np.array(found.values(f"/speeds/{leg}", "scalars"))
+        np.testing.assert_allclose(speeds, np.degrees(record.wiring.by_limb(record.velocity)[leg][known]))
         loads = np.array(found.values(f"/loads/{leg}", "scalars"))
         expected = 100 * record.wiring.by_limb(record.load)[leg][known]
         np.testing.assert_allclose(loads, expected, atol=1e-9)
@@ -225,6 +255,8 @@ def test_a_measured_walk_shows_what_the_servos_said(walked, read_back):
     check_opens(found, "3D", "StateTimeline", "TimeSeries", "TextLog")
     energy = np.array(found.values("/energy", "scalars"))[:, 0]
     np.testing.assert_allclose(energy, record.joules / 3600, atol=1e-12)
+    power = np.array(found.values("/power", "scalars"))[:, 0]
+    np.testing.assert_allclose(power, [sample.power for sample in record.samples])
     errors = np.array(found.values("/tracking", "scalars"))
     np.testing.assert_allclose(errors, record.errors[np.isfinite(record.errors).all(axis=1)] * 1000)
 
@@ -239,6 +271,11 @@ def test_every_packet_is_in_the_log_at_the_instant_it_had_passed(walked, read_ba
     np.testing.assert_allclose(
         found.times("/bus", "text"), [p.at - (first.clock - first.t) for p in heard], atol=2e-9
     )
+    # Between two ticks the gait goes on.
+    ticks = [(t, phase) for t, phase, _ in found.columns["/energy"]["scalars"]]
+    phases = [phase for _, phase, _ in found.columns["/bus"]["text"]]
+    between = np.interp(found.times("/bus", "text"), *np.transpose(ticks))
+    np.testing.assert_allclose(phases, between, atol=1.01)
     for text, packet in zip(texts, heard, strict=True):
         assert f"  [{packet.data.hex(' ').upper()}]" in text
         assert text.startswith(
@@ -261,6 +298,19 @@ def test_both_runs_of_the_pushed_arm_have_their_hands_forces_and_packets(read_ba
         np.testing.assert_allclose(
             found.pose(entity(limb, root=root))[:, :3, 3], real[:, :3, 3] * 1000, atol=CLOSE
         )
+        command = limb.fk(record.angles["command"], frame="body")[:, :3, 3] * 1000
+        ghost = entity(limb, root=root).replace("/body/", "/body/command/")
+        np.testing.assert_allclose(found.pose(ghost)[:, :3, 3], command, atol=CLOSE)
+        gap = np.array(found.values(f"/{root}/body/{limb.name}/error", "strips"))[:, 0]
+        hands = [limb.fk(record.angles[kind])[:, :3, 3] * 1000 for kind in ("real", "command")]
+        np.testing.assert_allclose(gap, np.stack(hands, axis=1), atol=CLOSE)
+        line = np.array(found.values(f"/{root}/body/{limb.name}/line", "strips")[0][0])
+        np.testing.assert_allclose(line, record.track.points * 1000, atol=CLOSE)
+        for group, kinds, scale in (("angles", record.angles, 180 / np.pi), ("torques", record.torques, 1)):
+            for j, joint in enumerate(limb.joint_names):
+                curves = np.array(found.values(f"/{name}/{group}/{joint}", "scalars"))
+                np.testing.assert_allclose(curves, np.stack([v[:, j] * scale for v in kinds.values()], -1))
+                assert found.values(f"/{name}/{group}/{joint}", "names") == [[f"{joint} {k}" for k in kinds]]
         arrows = found.columns[f"/{root}/body/{limb.name}/push_1"]["origins"]
         (push,) = record.pushes
         hand = limb.fk(record.angles["real"])[:, :3, 3] * 1000

@@ -68,7 +68,7 @@ def test_a_viewer_that_fails_says_why(monkeypatch, home):
     monkeypatch.delenv("WAYLAND_DISPLAY", raising=False)
     scene, view = robot_scene(load_robot("udiebot")), View(port=free_port())
     with (
-        pytest.raises(KinlabError, match=r"code \d+: .*X server.*; --serve shows it in a browser"),
+        pytest.raises(KinlabError, match=r"code \d+: .*X server.*(?<!\.); --serve shows it in a browser"),
         viewing(scene, view) as process,
     ):
         process.wait()

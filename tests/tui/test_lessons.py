@@ -614,6 +614,11 @@ def test_a_lesson_on_gaits_stands_beside_their_diagram(take, lab):
         assert bench.t == 0.0
         await press(pilot, "f9")
         assert bench.cycle.walk.gait.name == drawn
+        assert "top, cell" in lab.text(pilot.app)
+        assert "stance" in lab.text(pilot.app)
+        await press(pilot, "ctrl+l")
+        assert "atas, sel" in lab.text(pilot.app)
+        assert "menumpu" in lab.text(pilot.app)
 
     take(script, "gaits", 0, (130, 40))
 
@@ -661,3 +666,16 @@ def test_a_lesson_of_ones_own_that_fails_is_named_and_not_opened(
         assert station.seat.name
 
     take(script, size=(160, 30))
+
+
+def test_the_last_thing_that_a_chain_said_is_in_sight(take, lab):
+    async def script(pilot, station):
+        for line in ("wait 0.1", "ping 1", "help", "nonsense", "done", "ping 2"):
+            await type_in(pilot, line)
+            await press(pilot, "enter")
+            talk = station.query_one("#talk")
+            said = [part for _, part in station.seat.table.talk[-2]]
+            assert "".join(said).strip()[:40] in lab.text(pilot.app), line
+            assert talk.scroll_offset.y == talk.max_scroll_y, line
+
+    take(script, "silent-bus", 1, (130, 40))

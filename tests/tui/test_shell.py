@@ -191,6 +191,12 @@ def test_a_robots_file_that_cannot_be_read_is_named_before_anything_opens(tmp_pa
     assert capsys.readouterr().err.startswith(f"kinlab: {broken}:")
 
 
+def test_a_folder_without_lessons_is_named_before_anything_opens(tmp_path, monkeypatch, capsys):
+    monkeypatch.setenv("KINLAB_LESSONS", str(tmp_path))
+    assert run() == 2
+    assert capsys.readouterr().err == f"kinlab: {tmp_path}: holds no lessons: folders with a file en.md\n"
+
+
 def test_a_robots_file_that_breaks_meanwhile_is_no_mistake_of_kinlab(lab, tmp_path, monkeypatch, capsys):
     async def script(pilot):
         broken = tmp_path / "robots.yaml"

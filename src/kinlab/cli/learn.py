@@ -205,7 +205,7 @@ def _reset(
     sitting, _ = sitting_of(ctx, lesson, lang, profile, lessons)
     name = sitting.lesson.id
     if not yes:
-        if json or not sys.stdin.isatty():
+        if json or not (sys.stdin and sys.stdin.isatty()):
             raise UsageError("a lesson is reset after asking; with --json or without a terminal, say --yes")
         done = len(sitting.tasks) - len(sitting.open)
         try:

@@ -138,7 +138,8 @@ class Session:
         while True:
             try:
                 typed = input(self.sitting.say(prompt))
-            except EOFError:
+            except (EOFError, RuntimeError):
+                # A RuntimeError where there is no standard input at all.
                 typer.echo()
                 return After.QUIT
             if not sys.stdin.isatty():

@@ -78,6 +78,11 @@ def serve(
         _warn(host)
         sys.stdout.flush()
 
+    def say(text: str) -> None:
+        # A class goes on though nobody reads along any more.
+        with suppress(OSError):
+            typer.echo(text, err=True)
+
     server = LabServer(
         # -P: nothing that lies where the server was started is taken for a module.
         [sys.executable, "-P", "-m", "kinlab.tui"],
@@ -86,7 +91,7 @@ def serve(
         places=sessions,
         folders=folders,
         language=language(),
-        say=lambda text: typer.echo(text, err=True),
+        say=say,
     )
     with suppress(KeyboardInterrupt):
         asyncio.run(server.run(ready))

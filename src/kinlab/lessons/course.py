@@ -96,11 +96,8 @@ def load_course(folder: Path | None = None) -> Course:
     problems: list[LessonError] = []
     glossary: dict[str, Term] = {}
     for root in [shipped("lessons"), *([folder] if folder else [])]:
-        folders = _folders(root)
-        if root is folder and not folders:
-            raise FileError(f"{root}: holds no lessons: folders with a file en.md")
         glossary |= read_glossary(root / GLOSSARY, problems)
-        for each in folders:
+        for each in lesson_folders(root):
             lessons.pop(each.name, None)
             try:
                 lessons[each.name] = read_lesson(each)
@@ -116,9 +113,14 @@ def own_lessons() -> Path | None:
     return Path(named) if named else None
 
 
-def _folders(root: Path) -> list[Path]:
+def lesson_folders(root: Path) -> list[Path]:
+    """The lessons in a folder, unread.
+
+    Raises:
+        FileError: it cannot be read, or holds none.
+    """
     try:
-        return sorted(
+        found = sorted(
             each
             for each in root.iterdir()
             # A link that leads nowhere is a page all the same.
@@ -126,6 +128,9 @@ def _folders(root: Path) -> list[Path]:
         )
     except OSError as error:
         raise FileError(f"{root}: cannot be read: {error.strerror}") from None
+    if not found:
+        raise FileError(f"{root}: holds no lessons: folders with a file en.md")
+    return found
 
 
 def read_glossary(path: Path, problems: list[LessonError]) -> dict[str, Term]:

@@ -99,19 +99,19 @@ def verify(
 
 
 def _recomputed(handed: Handed, course: Course, others: list[Handed]) -> Result:
-    forged: list[str] = []
     notes: list[str] = list(handed.problems)
-    own = handed.seed == handed.profile.casefold() or handed.profile == PROFILE
-    if not own:
+    forged: list[str] = []
+    if handed.seed != handed.profile.casefold() and handed.profile != PROFILE:
         forged.append(f"the seed '{quote(handed.seed)}' is not that of the profile '{quote(handed.profile)}'")
-    forged += [
-        f"has the same seed as {quote(other.profile)} in {quote(other.file, LONGEST_PATH)}"
-        for other in others
-        if other.seed == handed.seed
-    ]
+    for other in (each for each in others if each.seed == handed.seed):
+        where = quote(other.file, LONGEST_PATH)
+        if _same_work(handed, other):
+            notes.append(f"is handed in once more in {where}")
+        else:
+            forged.append(f"has the same seed as {quote(other.profile)} in {where}")
     tasks: dict[tuple[str, str], Task] = {}
     events: list[Event] = []
-    accused = set()
+    accused: set[tuple[str, str]] = set()
     for event in handed.events:
         if event.event != "try":
             events.append(event)
@@ -127,6 +127,16 @@ def _recomputed(handed: Handed, course: Course, others: list[Handed]) -> Result:
             accused.add((event.lesson, event.exercise))
         elif found and not event.ok:
             notes.append(f"{what} is right after all")
+    forged += _claims(handed, course, events, accused)
+    return Result(
+        handed.file, handed.profile, handed.seed, _lessons(course, events), _once(forged), _once(notes)
+    )
+
+
+def _claims(
+    handed: Handed, course: Course, events: list[Event], accused: set[tuple[str, str]]
+) -> Iterator[str]:
+    """What a file's summary says otherwise than its events, judged again; those of `accused` were said to be wrong."""
     for (name, version, exercise), claim in handed.claimed.items():
         # Of another version nothing can be said, and nothing counts; the replies' notes say so.
         lesson = course.lessons.get(name)
@@ -134,14 +144,17 @@ def _recomputed(handed: Handed, course: Course, others: list[Handed]) -> Result:
             continue
         now = standing(events, name, lesson.version, exercise)
         if claim.get("status") == "solved" != now.status:
-            forged.append(f"{name} {quote(exercise)}: said to be solved, and is {now.status}")
+            yield f"{name} {quote(exercise)}: said to be solved, and is {now.status}"
         elif (name, exercise) not in accused and not handed.problems:
-            forged += _taken_away(
+            yield from _taken_away(
                 name, exercise, claim, standing(handed.events, name, lesson.version, exercise)
             )
-    return Result(
-        handed.file, handed.profile, handed.seed, _lessons(course, events), _once(forged), _once(notes)
-    )
+
+
+def _same_work(one: Handed, other: Handed) -> bool:
+    """Whether two files are of one student by name, and the longer one goes on where the other ends."""
+    named = one.profile == other.profile != PROFILE
+    return named and all(a == b for a, b in zip(one.events, other.events, strict=False))
 
 
 def _taken_away(lesson: str, exercise: str, claim: dict[str, Any], listed: Standing) -> Iterator[str]:

@@ -56,9 +56,9 @@ def _resting(robot: Robot) -> Array:
 
 
 def _walked(robot: Robot, body: Array) -> Array:
-    """The same, wherever its body comes (F, 4, 4), from the first frame to the last."""
-    rest = _resting(robot) - stood(robot)[:3, 3]
-    return np.concatenate([rest + place for place in body[[0, -1], :3, 3]])
+    """The same, wherever its body comes (F, 4, 4)."""
+    rest, way = _resting(robot) - stood(robot)[:3, 3], body[:, :3, 3]
+    return np.concatenate([rest + way.min(axis=0), rest + way.max(axis=0)])
 
 
 def _plot(origin: str, name: str, legend: bool = False) -> Any:

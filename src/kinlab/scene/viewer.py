@@ -139,9 +139,8 @@ def viewing(what: Recording | Path, view: View) -> Iterator["subprocess.Popen[by
             lines = [line for line in complaints.read_text(errors="replace").splitlines() if line.strip()]
             # Where a window cannot be drawn, a page often can.
             instead = "" if view.browser else "; --serve shows it in a browser"
-            raise KinlabError(
-                f"the viewer ended with code {ended}: {lines[-1] if lines else 'no reason given'}{instead}"
-            )
+            reason = lines[-1].rstrip(".") if lines else "no reason given"
+            raise KinlabError(f"the viewer ended with code {ended}: {reason}{instead}")
 
 
 def free_port() -> int:

@@ -253,14 +253,11 @@ class KinlabApp(App[None]):
 def run(station: str | None = None) -> int:
     """Open the laboratory in this terminal, until a person leaves it; its exit code."""
     os.environ.setdefault("TEXTUAL_ANIMATIONS", "none")
-    if os.environ.get("KINLAB_ROBOTS"):
-        from kinlab.robots import robot_names
-
-        try:
-            robot_names()
-        except KinlabError as error:
-            sys.stderr.write(f"kinlab: {error}\n")
-            return error.exit_code
+    try:
+        _check_own_files()
+    except KinlabError as error:
+        sys.stderr.write(f"kinlab: {error}\n")
+        return error.exit_code
     app = KinlabApp(station)
     app.animation_level = "none"
     app.run()
@@ -268,3 +265,19 @@ def run(station: str | None = None) -> int:
         told = words_of("kinlab.tui").say(app.tongue, "shell.unkept", why=app.unkept)
         sys.stderr.write(f"kinlab: {told}\n")
     return app.return_code or 0
+
+
+def _check_own_files() -> None:
+    """Read what the environment names before anything opens.
+
+    Raises:
+        KinlabError: it cannot be read.
+    """
+    if os.environ.get("KINLAB_ROBOTS"):
+        from kinlab.robots import robot_names
+
+        robot_names()
+    if folder := os.environ.get("KINLAB_LESSONS"):
+        from kinlab.lessons.course import lesson_folders
+
+        lesson_folders(Path(folder))

@@ -41,6 +41,16 @@ def test_what_does_not_fit_into_the_cycle_is_reported(arm_at, line):
     assert np.diff(record.t).min() > 0.002
 
 
+def test_a_cycle_that_takes_longer_delays_the_next_and_hurries_none(arm_at, line):
+    with arm_at(line) as servos:
+        servos.hold()
+        clock = servos.bus.port.clock
+        record = run(servos, line, FIRM, lambda k, record: clock.wait(0.1 if k == 5 else 0.0))
+    gaps = np.diff(record.t)
+    assert gaps[5] > 0.1
+    np.testing.assert_allclose(np.delete(gaps, 5), 0.016, atol=1e-9)
+
+
 def test_the_arm_yields_with_compliance_and_not_without(arm_at, stay):
     away = {}
     for law in ("position", "compliance"):
@@ -128,6 +138,9 @@ def test_limits_of_torque_and_speed_are_kept(arm_at, stay):
         record = run(servos, stay, HOLD)
         servos.write(2, 0.0, 9.0)
         assert 0.45 < servos.bus.read(6, "moving_speed", "rad/s") < 0.55
+        # No speed at all is written as the slowest: to the servo, 0 would mean as fast as it can.
+        servos.write(2, 0.0, 0.0)
+        assert servos.bus.read(6, "moving_speed") == 1
     # A tenth of the stall torque, and what the turning gear adds as a brake.
     assert np.abs(record.torques["load"]).max() < 0.5
 

@@ -129,6 +129,7 @@ def test_a_page_loaded_anew_takes_the_place_of_its_former_self(serve):
     async def script(served):
         async with served.visit(cookie) as first:
             await first.see("at home")
+            assert (await served.ask(Cookie=f"kinlab={cookie}"))[0] == 200
             async with served.visit(cookie) as second:
                 await second.see(f"at home in {cookie}")
                 await first.until_closed()
@@ -277,6 +278,19 @@ def test_the_cookie_is_the_browsers_own_secret_and_comes_along_by_a_link_from_el
             cookie = answer.cookies["kinlab"]
         assert cookie["httponly"]
         assert cookie["samesite"] == "Lax"
+
+    serve(script)
+
+
+@pytest.mark.parametrize("path", ["/", "/page/page.js", "/ws", "/nowhere"])
+def test_the_browser_is_told_to_ask_nobody_else_and_to_show_no_page_within_another(serve, path):
+    async def script(served):
+        async with aiohttp.ClientSession() as client, client.get(f"http://{served.place}{path}") as answer:
+            policy = answer.headers["Content-Security-Policy"]
+            assert answer.headers["X-Content-Type-Options"] == "nosniff"
+        assert policy.startswith("default-src 'self';")
+        assert "frame-ancestors 'none'" in policy
+        assert "http" not in policy
 
     serve(script)
 

@@ -61,7 +61,7 @@ def judge(task: Task, reply: str) -> Verdict:
             False,
             "unit",
             number=f"{given.value:g}",
-            unit=other,
+            unit=task.say("number.fraction") if other == "1" else other,
             asked=given.unit or task.field["unit"],
             want=task.field["unit"],
         )

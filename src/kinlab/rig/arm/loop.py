@@ -67,7 +67,6 @@ class Settings:
         dt: the cycle, s.
         cutoff: of the observers, 1/s.
         inertia: nominal, of a motor with its gear, kg m2.
-        coulomb: friction that the reaction-torque observer takes as known, N m.
     """
 
     law: str = "position"
@@ -78,7 +77,6 @@ class Settings:
     dt: float = 0.016
     cutoff: float = 20.0
     inertia: float = 0.0026
-    coulomb: float = 0.0
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "law", resolve(self.law, LAWS, "law"))
@@ -238,8 +236,7 @@ class Machine:
         self.external = self.filtered - self.dynamic
         motor = (self.load, real_rate, settings.inertia, settings.cutoff, settings.dt)
         self.disturbance = observe(self.disturbance, *motor)
-        known = self.dynamic + settings.coulomb * np.sign(qd)
-        self.reaction = observe(self.reaction, *motor, known=known)
+        self.reaction = observe(self.reaction, *motor, known=self.dynamic)
 
     def _follow_blindly(self, k: int) -> None:
         # Section 4.1.1: theta + J^-1 dX, from where the arm is, with the step that the trajectory makes.

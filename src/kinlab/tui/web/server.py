@@ -203,8 +203,8 @@ class LabServer(Server):
         _remember(socket, visitor)
         session = Session(self._words, visitor, self._folders / visitor, socket)
         self.sessions.append(session)
-        self._report("begins", visitor)
         try:
+            self._report("begins", visitor)
             await socket.prepare(request)
             query = request.query
             size = fitting(to_int(query.get("width", ""), 80), to_int(query.get("height", ""), 24))

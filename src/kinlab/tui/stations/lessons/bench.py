@@ -19,6 +19,7 @@ from kinlab.lessons.kinds.state import Workbench
 from kinlab.robots import Limb
 from kinlab.robots.views import SIDE, TOP, draw_view, size_of, view
 from kinlab.tui.numbers import shown
+from kinlab.tui.stations.gait.diagram import Diagram
 from kinlab.tui.stations.lessons.gait_bench import GaitBench
 from kinlab.tui.stations.packet.registers import Registers
 from kinlab.tui.stations.packet.sheet import Sheet
@@ -189,6 +190,12 @@ class Bench(Vertical):
         yield GaitBench()
         yield ChainBench()
         yield BytesBench()
+
+    def relabel(self) -> None:
+        """Write what stands in pictures in the language of now."""
+        for picture in self.query(Picture):
+            picture.redraw()
+        self.query_one(Diagram).refresh()
 
     def use(self, kind: str) -> None:
         """Put an instrument there; "" for none."""

@@ -13,7 +13,7 @@ from kinlab.lessons.progress import PROFILE, TRIES_BEFORE_SOLUTION
 from kinlab.tui.station import Station
 from kinlab.tui.stations.lessons import telling
 from kinlab.tui.stations.lessons.actions import ACTIONS, AT_EXERCISE, AT_LIST, IN_LESSON
-from kinlab.tui.stations.lessons.bench import LegBench
+from kinlab.tui.stations.lessons.bench import Bench, LegBench
 from kinlab.tui.stations.lessons.browser import Browser, List, Search
 from kinlab.tui.stations.lessons.flow import Flow
 from kinlab.tui.stations.lessons.gait_bench import GaitBench
@@ -268,6 +268,7 @@ class LessonsStation(Station):
 
     def relabel(self) -> None:
         self._list()
+        self.query_one(Bench).relabel()
         kind, key, values = self._informed
         self.inform(kind, key, **values)
         seat = self.seat

@@ -35,7 +35,8 @@ class Sheet(VerticalScroll, can_focus=True):
     def put(self, lines: Sequence[Line], *, to_end: bool = False) -> None:
         """Show these lines from the first one on, or down to the last one."""
         if lines != self._lines:
-            self._lines = lines
+            # A copy: a list that goes on growing would never differ from itself.
+            self._lines = list(lines)
             self._write()
         if to_end:
             self.scroll_end(animate=False)
