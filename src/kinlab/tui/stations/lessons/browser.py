@@ -168,7 +168,7 @@ class Browser(Vertical):
         if gap < 2:
             title, gap = f"{title[: max(len(title) + gap - 3, 10)]}…", 2
         return Content.assemble(
-            " ", sign(row.standing, ascii_only), " ", title, " " * gap, Content.styled(row.facts, "$quiet")
+            " ", sign(row.standing, ascii_only), " ", title, " " * gap, Content.styled(row.facts, "dim")
         )
 
     def _tell(self) -> None:
