@@ -117,6 +117,8 @@ def test_a_small_map_is_drawn_with_its_bounds(kinlab):
         (("comply", "-e", "table-4.2"), 2, "did you mean table-4.1"),
         (("comply", "--menv", 0), 2, "Menv more than 0: got kf 0.3, kenv 12, denv 5, menv 0"),
         (("comply", "--real", "/dev/nowhere", "--push", "force=0,1,0"), 2, "pushed by hand"),
+        (("track", "--real", "/dev/nowhere", "--drop", 0.1), 2, "--drop is for the emulated one"),
+        (("track", "--baud", 57600), 2, "it goes with --real"),
         (("observe", "--alpha", 0), 2, "alpha of the filter"),
         (("map", "kp", "kp"), 2, "two different gains"),
         (("map", "kp", "kw"), 2, "no gain is named 'kw'"),

@@ -17,6 +17,7 @@ from kinlab.cli.arm_bench import (
     under_compliance,
 )
 from kinlab.cli.arm_options import (
+    BAUD,
     Baud,
     Csv,
     Drop,
@@ -82,7 +83,7 @@ def _track(
     torque_limit: TorqueLimit = 1.0,
     speed_limit: SpeedLimit = 700.0,
     real: Real = None,
-    baud: Baud = 1_000_000,
+    baud: Baud = BAUD,
     drop: Drop = 0.0,
     live: Live = False,
     csv: Csv = None,

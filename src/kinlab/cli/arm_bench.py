@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import typer
 
 from kinlab.cli.arm_options import (
+    BAUD,
     Alpha,
     Baud,
     Csv,
@@ -89,7 +90,7 @@ def under_compliance(work: "Callable[[Bench], tuple[Outcome, str]]") -> Callable
         torque_limit: TorqueLimit = 1.0,
         speed_limit: SpeedLimit = 700.0,
         real: Real = None,
-        baud: Baud = 1_000_000,
+        baud: Baud = BAUD,
         live: Live = False,
         csv: Csv = None,
         rrd: RrdOption = None,
@@ -189,6 +190,10 @@ def record_of(
 
     if real and pushes:
         raise UsageError("a real arm is pushed by hand; --push is for the emulated one")
+    if real and drop:
+        raise UsageError("a real bus loses what it loses; --drop is for the emulated one")
+    if not real and baud != BAUD:
+        raise UsageError("--baud is the speed of a real bus: it goes with --real")
     try:
         if real:
             return Port(real, baud).drive(arm, path, settings, setup, tell)

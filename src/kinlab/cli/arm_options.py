@@ -35,6 +35,7 @@ Csv = Annotated[
 Real = Annotated[
     str | None, typer.Option("--real", metavar="PORT", help="Real servos: /dev/ttyUSB0, a pty, or HOST:PORT.")
 ]
+BAUD = 1_000_000
 Baud = Annotated[int, typer.Option(help="Speed of the real bus, bps.")]
 TorqueLimit = Annotated[
     float, typer.Option(help="The most torque of the servos, share of stall. Real: 0.4 at most.")

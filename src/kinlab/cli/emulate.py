@@ -92,8 +92,8 @@ def emulate(
         watch=_show_traffic if traffic else None,
         after_change=(lambda: _keep(chain, eeprom)) if eeprom else None,
     )
-    # The signals first: whoever sees the link may end the chain, and then the link goes.
-    with server, _ended_by_signals(server):
+    # The signals first and last: whoever sees the link may end the chain, and then the link goes.
+    with _ended_by_signals(server), server:
         link = None
         if pty or not listener:
             link = _link(pty or Path("ttyDXL"), baud)

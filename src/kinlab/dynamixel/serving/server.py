@@ -4,6 +4,7 @@ import heapq
 import select
 import socket
 from collections.abc import Callable
+from contextlib import suppress
 from itertools import count
 from typing import Self
 
@@ -68,7 +69,8 @@ class Server:
 
     def stop(self) -> None:
         """End `run`, also one that has yet to begin, from another thread or from a signal handler."""
-        self._wake.send(b"x")
+        with suppress(OSError):  # It has ended, and is closed.
+            self._wake.send(b"x")
 
     def _turn(self) -> None:
         sources: list[Link | TcpListener | socket.socket] = [*self._receivers, self._waker]
