@@ -1,12 +1,6 @@
 """`kinlab gait`: the contract, the diagram, the phases, and the keys."""
 
-import os
-import pty
-import select
 import signal
-import subprocess
-import sys
-import time
 
 import pytest
 
@@ -167,70 +161,26 @@ def test_energy_shows_models_crossover_and_averages_of_the_paper(kinlab):
     assert kinlab("gait", "udiebot", "--energy").code == 2
 
 
-class Terminal:
-    """`kinlab gait ... --step` on a terminal of its own."""
-
-    def __init__(self, *args):
-        self.master, slave = pty.openpty()
-        command = [sys.executable, "-m", "kinlab", "gait", *args, "--step"]
-        self.process = subprocess.Popen(
-            command, stdin=slave, stdout=slave, stderr=slave, env={**os.environ, "TERM": "xterm", "COLUMNS": "100"},
-            start_new_session=True, preexec_fn=_own_terminal,
-        )  # fmt: skip
-        os.close(slave)
-
-    def until(self, text):
-        seen, end = "", time.monotonic() + 60
-        while text not in seen and time.monotonic() < end:
-            if select.select([self.master], [], [], 0.2)[0]:
-                try:
-                    seen += os.read(self.master, 65536).decode(errors="replace")
-                except OSError:
-                    break
-        assert text in seen, seen
-        return seen
-
-    def press(self, keys):
-        os.write(self.master, keys.encode())
-
-    def ends(self):
-        code = self.process.wait(60)
-        os.close(self.master)
-        return code
+def test_keys_walk_the_phases_forwards_and_back(terminal):
+    shown = terminal("gait", "krsri-hexapod", "--gait", "wave", "--step", COLUMNS="100")
+    shown.until("q: quit")
+    shown.press(" ")
+    assert "swing R2" in shown.until("q: quit")
+    shown.press("\x1b[D")
+    assert "swing R1" in shown.until("q: quit")
+    shown.press("b")
+    assert "swing L3" in shown.until("q: quit")
+    shown.press("q")
+    assert shown.ends()[0] == 0
 
 
-def _own_terminal():
-    import fcntl
-    import termios
-
-    fcntl.ioctl(0, termios.TIOCSCTTY, 0)
-
-
-def test_keys_walk_the_phases_forwards_and_back():
-    terminal = Terminal("krsri-hexapod", "--gait", "wave")
-    terminal.until("q: quit")
-    terminal.press(" ")
-    assert "swing R2" in terminal.until("q: quit")
-    terminal.press("\x1b[D")
-    assert "swing R1" in terminal.until("q: quit")
-    terminal.press("b")
-    assert "swing L3" in terminal.until("q: quit")
-    terminal.press("q")
-    assert terminal.ends() == 0
-
-
-def test_ctrl_c_ends_the_steps_quietly():
-    terminal = Terminal("krsri-hexapod")
-    terminal.until("q: quit")
-    terminal.press("\x03")
-    seen = ""
-    while select.select([terminal.master], [], [], 5)[0]:
-        try:
-            seen += os.read(terminal.master, 65536).decode(errors="replace")
-        except OSError:
-            break
+def test_ctrl_c_ends_the_steps_quietly(terminal):
+    shown = terminal("gait", "krsri-hexapod", "--step")
+    shown.until("q: quit")
+    shown.press("\x03")
+    code, seen = shown.ends()
+    assert code in (130, -signal.SIGINT)
     assert "Traceback" not in seen
-    assert terminal.ends() in (130, -signal.SIGINT)
 
 
 def test_a_negative_margin_is_said_in_words(kinlab):

@@ -11,6 +11,7 @@ from contextlib import suppress
 from functools import partial
 from importlib import import_module
 from pathlib import Path
+from types import FrameType
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from rich.text import Text
@@ -132,10 +133,31 @@ class KinlabApp(App[None]):
         for name in ("SIGHUP", "SIGTERM"):
             with suppress(NotImplementedError, AttributeError):
                 asyncio.get_running_loop().add_signal_handler(getattr(signal, name), self.exit)
+        self._guard_resuming()
         self._show(self._station)
         if self.set_aside is not None:
             text = words_of("kinlab.tui").say(self.tongue, "shell.damaged", file=self.set_aside)
             self.notify(text, severity="warning", timeout=10, markup=False)
+
+    def _guard_resuming(self) -> None:
+        """Let SIGCONT bring back the screen once, whatever has stopped the program, or nothing has.
+
+        A terminal that hangs up sends it too, and `kill -STOP` announces nothing. Textual then reads the keys
+        in a second thread beside the first, which never ends; and what it resumes it does not draw.
+        """
+        driver = self._driver
+        resume = signal.getsignal(signal.SIGCONT) if hasattr(signal, "SIGCONT") else None
+        if driver is None or not callable(resume):
+            return
+
+        def go_on(number: int, frame: FrameType | None) -> None:
+            if self.is_running:
+                if not getattr(driver, "_must_signal_resume", True):
+                    driver.suspend_application_mode()
+                resume(number, frame)
+                self.call_later(self.refresh, layout=True)
+
+        signal.signal(signal.SIGCONT, go_on)
 
     # Stations.
 
