@@ -2,6 +2,7 @@
 
 import csv
 import io
+from pathlib import Path
 
 import pytest
 
@@ -43,6 +44,14 @@ def test_a_walk(kinlab, tmp_path):
     rows = list(csv.DictReader((tmp_path / "ticks.csv").read_text().splitlines()))
     assert float(rows[-1]["way_mm"]) == 200
     assert float(rows[-1]["energy_wh"]) > float(rows[0]["energy_wh"])
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="this system has no disk that is always full")
+def test_a_full_disk_costs_the_file_and_not_what_was_measured(kinlab):
+    run = kinlab(*SHORT, "--csv", "/dev/full", "--json")
+    assert run.code != 0
+    assert run.err.startswith("kinlab: /dev/full: cannot be written: No space left")
+    assert run.json["energy"]["wh"] > 0
 
 
 def test_json(kinlab):

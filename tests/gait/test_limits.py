@@ -71,6 +71,13 @@ def test_a_turn_beyond_the_servos_names_the_fastest_turn():
         assess(krsri(forward=0.0, turn=3.0))
 
 
+def test_steps_on_the_spot_beyond_the_servos_name_the_shortest_period():
+    with pytest.raises(KinlabError, match="shortest possible period") as refused:
+        assess(krsri(gait="wave", forward=0.0))
+    shortest = float(re.search(r"period is ([\d.]+) s", str(refused.value))[1])
+    assert assess(krsri(gait="wave", forward=0.0, period=shortest)).used == pytest.approx(1, abs=0.02)
+
+
 def test_a_robot_whose_servos_nobody_names_is_limited_by_its_legs_alone():
     robot = load_robot("eros")
     limits = assess(plan(robot, find_gait(robot)))

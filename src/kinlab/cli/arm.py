@@ -116,11 +116,11 @@ def _track(
     setup = setup_of(slope, margin, punch, torque_limit, speed_limit, real)
     with watching(live, real is not None) as tell:
         record = record_of(machine, arm, path, settings, setup, (), real, baud, tell, drop)
+    outcome = tracking(machine, arm, path, settings, setup, record)
+    answer(outcome, "error", csv, json)
     if trace:
         write_whole(trace, script(record, len(path.q) // 2, machine.name))
-    outcome = tracking(machine, arm, path, settings, setup, record)
     write_rrd(rrd, force, lambda: scene_of(machine, outcome))
-    answer(outcome, "error", csv, json)
 
 
 @app.command(

@@ -113,8 +113,8 @@ def under_compliance(work: "Callable[[Bench], tuple[Outcome, str]]") -> Callable
             outcome, plot = work(
                 Bench(machine, arm, path, settings, setup, pushes_of(push), real, baud, tell)
             )
-        write_rrd(rrd, force, lambda: scene_of(machine, outcome))
         answer(outcome, plot, csv, json)
+        write_rrd(rrd, force, lambda: scene_of(machine, outcome))
 
     command.__doc__ = work.__doc__
     return command
@@ -211,13 +211,13 @@ def scene_of(machine: "Robot", outcome: "Outcome") -> "Recording":
 
 
 def answer(outcome: "Outcome", plot: str, csv: Path | None, json: bool) -> None:
-    """Write CSV, print JSON, or show plots and verdicts."""
+    """Print JSON, or show plots and verdicts, and only then write CSV: a disk may be full."""
     from kinlab.cli.arm_tables import show_outcome
 
-    if csv:
-        for i, (name, record) in enumerate(outcome.runs.items()):
-            record.to_csv(csv if i == 0 else csv.with_stem(f"{csv.stem}-{name}"))
     if json:
         print_json(outcome.to_json())
     else:
         show_outcome(outcome, plot)
+    if csv:
+        for i, (name, record) in enumerate(outcome.runs.items()):
+            record.to_csv(csv if i == 0 else csv.with_stem(f"{csv.stem}-{name}"))

@@ -120,15 +120,16 @@ def walk(
         return
     packets: list[Passage] | None = [] if rrd else None
     result = _one(prepare(order), port, baud, live, mirror, packets)
-    write_rrd(rrd, force, lambda: _scene(result, packets or ()))
-    if csv:
-        _save(csv, result.series())
+    # Shown first: a disk that is full costs the files, and not what was measured.
     if json:
         print_json(result.to_json())
     else:
         from kinlab.cli.walk_tables import show_walk
 
         show_walk(result)
+    if csv:
+        _save(csv, result.series())
+    write_rrd(rrd, force, lambda: _scene(result, packets or ()))
     if not (result.complete or live):
         raise typer.Exit(INTERRUPTED)
 

@@ -133,6 +133,8 @@ def _missed(motion: Motion) -> str:
 
 def _instead(walk: Walk, keep_period: bool) -> str:
     """The fastest walk of this kind that is possible, in words."""
+    stands = not (walk.speed or walk.turn)
+    keep_period &= not stands
 
     def possible(share: float) -> bool:
         slower = _slower(walk, share, keep_period)
@@ -145,6 +147,8 @@ def _instead(walk: Walk, keep_period: bool) -> str:
     kept = f"a period of {walk.period:.3g} s" if keep_period else f"a stride of {walk.stride * 1000:.4g} mm"
     if share == 0:
         return f"no speed is possible with {kept}"
+    if stands:
+        return f"the shortest possible period is {np.ceil(walk.period / share * 100) / 100:g} s"
     if walk.speed and walk.turn:
         slower = _slower(walk, share, keep_period)
         turn = np.degrees(abs(slower.turn))

@@ -59,11 +59,11 @@ def line(
 
 
 @lru_cache(maxsize=4)
-def there_and_back(limb: Limb, profile: str = "quintic", rest: float = REST) -> Track:
-    """The experiment's line and back, with a rest of `rest` seconds at each end: a track that ends where it begins."""
-    points = line(limb, profile).points
-    pause = np.repeat(points[-1:], round(rest / CYCLE), axis=0)
-    back = np.repeat(points[:1], round(rest / CYCLE), axis=0)
+def there_and_back(limb: Limb) -> Track:
+    """The experiment's line and back, with a rest at each end: a track that ends where it begins."""
+    points = line(limb, "quintic").points
+    pause = np.repeat(points[-1:], round(REST / CYCLE), axis=0)
+    back = np.repeat(points[:1], round(REST / CYCLE), axis=0)
     whole = np.concatenate([points, pause, points[::-1], back])
     return follow(limb.axes, limb.links, limb.ik(whole[0]).q, whole, CYCLE)
 
