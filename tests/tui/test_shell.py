@@ -1,6 +1,7 @@
 """What every station has: keys, help, palette, languages, themes, settings, and a notice where there is no room."""
 
 import asyncio
+import gc
 import json
 import os
 import signal
@@ -238,6 +239,22 @@ def test_a_terminal_that_is_closed_keeps_what_was_chosen(lab, tmp_path):
 
     lab.drive(script)
     assert json.loads((tmp_path / "state" / "tui.json").read_text())["theme"] == "kinlab-light"
+
+
+def test_going_to_and_fro_between_stations_keeps_nothing_more(lab):
+    async def script(pilot):
+        for _ in range(len(STATIONS)):
+            await pilot.press("ctrl+n")
+            await pilot.pause()
+        kept = gc.get_freeze_count()
+        assert kept
+        for _ in range(len(STATIONS)):
+            await pilot.press("ctrl+n")
+            await pilot.pause()
+        assert gc.get_freeze_count() <= kept
+        assert gc.isenabled()
+
+    lab.drive(script)
 
 
 def test_the_palette_finds_an_action_by_its_name(lab):

@@ -163,10 +163,13 @@ class KinlabApp(App[None]):
 
     def _show(self, name: str) -> None:
         self.settings.station = name
+        new = name not in self._screen_stacks
         # Searches for garbage take longer than a frame where they go through all that a station brings.
-        gc.disable()
+        if new:
+            gc.disable()
         self.switch_mode(name)
-        self.call_after_refresh(self._settle)
+        if new:
+            self.call_after_refresh(self._settle)
 
     def _settle(self) -> None:
         """What a station has brought stays: nothing looks for garbage in it any more."""
