@@ -3,7 +3,6 @@
 import os
 from typing import TYPE_CHECKING
 
-from kinlab.guests import refuse_to_guests
 from kinlab.kinematics.transforms import Array
 from kinlab.robots import Limb, Robot
 
@@ -24,7 +23,6 @@ class Reflection:
             KinlabError: no viewer answers, rerun is not installed, or the session is a guest's.
         """
         if self._mirror is None or self._mirror.robot is not robot:
-            refuse_to_guests("a viewer")
             self.close()
             # What rerun would print stands in the middle of the screen.
             os.environ.setdefault("RUST_LOG", "off")
