@@ -42,8 +42,8 @@ def draw_support(
     motion = state.motion
     legs = motion.walk.robot.legs
     feet = [_above(p) for p in motion.level]
-    standing = np.repeat(state.down, len(state.contacts) // len(legs))
-    corners = [_above(p) for p in hull(state.contacts[standing])] if standing.any() else []
+    bearing = state.contacts[state.bearing]
+    corners = [_above(p) for p in hull(bearing)] if len(bearing) else []
     sight = state if around is None else around
     places = np.concatenate(
         [part.reshape(-1, part.shape[-1])[:, :2] for part in (sight.motion.level, sight.contacts)]

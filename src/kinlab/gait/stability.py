@@ -94,27 +94,32 @@ class Stability:
     @cached_property
     def zmp_margin(self) -> Array:
         """Its distance to the boundary of the support polygon (...), metres, negative outside."""
-        each = self.contacts.shape[-2] // self.down.shape[-1]
-        return margins(self.contacts, self.zmp, np.repeat(self.down, each, axis=-1)).static
+        return margins(self.contacts, self.zmp, self.bearing).static
+
+    @cached_property
+    def bearing(self) -> Array:
+        """Which of the contacts (..., P) stand."""
+        return _bearing(self.contacts, self.down)
 
     @cached_property
     def over_ground(self) -> Array:
         """The centre of mass (..., 3) in the ground frame, metres."""
-        return self.motion.walk.carried(self.motion.walk.travel(self.motion.t), self.centre)
+        return self._over_ground(self.centre, self.motion.t)
 
     @cached_property
     def zmp_over_ground(self) -> Array:
         """The zero moment point (..., 3) in the ground frame, metres."""
-        flat = np.concatenate([self.zmp, np.zeros((*self.zmp.shape[:-1], 1))], axis=-1)
-        return self.motion.walk.carried(self.motion.walk.travel(self.motion.t), flat)
+        return self._over_ground(_flat(self.zmp), self.motion.t)
 
     def support(self, frame: int) -> Array:
         """The corners (k, 3) of the support polygon of frame `frame` of (N,), counter-clockwise, ground frame."""
-        each = self.contacts.shape[-2] // self.down.shape[-1]
-        corners = hull(self.contacts[frame][np.repeat(self.down[frame], each)])
-        level = np.concatenate([corners, np.zeros((len(corners), 1))], axis=-1)
+        corners = hull(self.contacts[frame][self.bearing[frame]])
+        return self._over_ground(_flat(corners), self.motion.t[frame])
+
+    def _over_ground(self, level: Array, t: Array) -> Array:
+        """Places (..., 3) of the level frame in the ground frame, at times `t` (...) in s."""
         walk = self.motion.walk
-        return walk.carried(np.asarray(walk.travel(self.motion.t[frame])), level)
+        return walk.carried(np.asarray(walk.travel(t)), level)
 
 
 def stability(motion: Motion, down: ArrayLike | None = None) -> Stability:
@@ -124,9 +129,19 @@ def stability(motion: Motion, down: ArrayLike | None = None) -> Stability:
     centre = centre_of_mass(walk.robot, motion.q)
     centre = motion.place + (centre @ walk.attitude.T if any(walk.rpy) else centre)
     contacts = _contacts(motion)
-    each = contacts.shape[-2] // stands.shape[-1]
-    found = margins(contacts, centre[..., :2], stands if each == 1 else np.repeat(stands, each, axis=-1))
+    found = margins(contacts, centre[..., :2], _bearing(contacts, stands))
     return Stability(motion, stands, centre, contacts, found.static, found.longitudinal)
+
+
+def _bearing(contacts: Array, down: Array) -> Array:
+    """Which contacts (..., P, 2) stand (..., P), where the legs that stand are `down` (..., L)."""
+    each = contacts.shape[-2] // down.shape[-1]
+    return down if each == 1 else np.repeat(down, each, axis=-1)
+
+
+def _flat(places: Array) -> Array:
+    """Places (..., 2) on the ground as (..., 3)."""
+    return np.concatenate([places, np.zeros((*places.shape[:-1], 1))], axis=-1)
 
 
 def _contacts(motion: Motion) -> Array:
