@@ -5,7 +5,7 @@ from collections.abc import Callable
 
 from kinlab.dynamixel.quantity import to_ticks
 from kinlab.dynamixel.sandbox.display import table_lines
-from kinlab.dynamixel.sandbox.requests import one_id
+from kinlab.dynamixel.sandbox.requests import one_id, unknown
 from kinlab.dynamixel.sandbox.session import Line, Outcome, Session
 from kinlab.dynamixel.servo import MOST_VOLTS, Servo
 from kinlab.dynamixel.servo.breaking import break_servo, motor_of
@@ -44,9 +44,7 @@ def table(session: Session, rest: str) -> Outcome:
     found: ControlTable | None = session.table(int(words[0])) if words[0].isdecimal() else None
     if found is None:
         if words[0].isdecimal():
-            known = ", ".join(map(str, session.ids()))
-            found_ids = f"there are: {known}" if known else "none has answered yet"
-            raise UsageError(f"no servo {words[0]} is known ({found_ids})")
+            raise UsageError(unknown(session, int(words[0])))
         found = load_table(words[0])
     registers = [found.find(name) for name in words[1:]] or list(found.registers)
     return Outcome(lines=table_lines(found, registers), data={"model": found.model})

@@ -91,6 +91,12 @@ def table_of(servos: Directory, servo: int) -> ControlTable | None:
     return servos.table(next(iter(servos.ids()), servo) if servo == BROADCAST else servo)
 
 
+def unknown(servos: Directory, servo: int) -> str:
+    """That a servo is not known, and which are."""
+    known = ", ".join(map(str, servos.ids()))
+    return f"no servo {servo} is known ({f'there are: {known}' if known else 'none has answered yet'})"
+
+
 def place_of(servos: Directory, servo: int, text: str) -> Place:
     """A register by name, or bytes by address: goal_position, @30, @30:4."""
     table = table_of(servos, servo)
@@ -107,9 +113,7 @@ def place_of(servos: Directory, servo: int, text: str) -> Place:
             return Place(address, register.size, register)
         return Place(address, 1, None)
     if table is None:
-        known = ", ".join(map(str, servos.ids()))
-        found = f"there are: {known}" if known else "none has answered yet"
-        raise UsageError(f"no servo {servo} is known ({found}), so '{text}' has no address; use @ADDRESS")
+        raise UsageError(f"{unknown(servos, servo)}, so '{text}' has no address; use @ADDRESS")
     register = table.find(text)
     return Place(register.address, register.size, register)
 
