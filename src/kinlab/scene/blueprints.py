@@ -150,7 +150,6 @@ def arm(runs: dict[str, Array], packets: bool) -> Any:
         runs: by name, where the arm came (k, 3), metres.
     """
     rrb = _rrb()
-
     columns = [
         rrb.Vertical(
             _space(runs[run], run, f"{run}/{WORLD}"),

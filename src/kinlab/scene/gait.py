@@ -12,6 +12,7 @@ from kinlab.gait.limits import joint_rates
 from kinlab.gait.stability import Stability
 from kinlab.kinematics.transforms import Array
 from kinlab.rig import Errand, WalkResult
+from kinlab.robots import Limb
 from kinlab.robots.body import resting
 from kinlab.scene import blueprints, colours
 from kinlab.scene.bus import log_packets
@@ -49,9 +50,8 @@ def gait_scene(
     times = Times(t, walk.phase(t))
     _walker(recording, motion, times, frames)
     for i, leg in enumerate(walk.robot.legs):
-        names = [f"{leg.name} {joint}" for joint in leg.joint_names]
-        recording.series("angles/" + part(leg.name), times, np.degrees(motion.q[:, i]), names)
-        recording.series("speeds/" + part(leg.name), times, np.degrees(rates[:, i]), names)
+        _joints(recording, "angles", leg, times, np.degrees(motion.q[:, i]))
+        _joints(recording, "speeds", leg, times, np.degrees(rates[:, i]))
     _stands(recording, stability(motion), times)
     return recording
 
@@ -95,9 +95,7 @@ def walk_scene(result: WalkResult, passages: Sequence[Passage] = ()) -> Recordin
     }
     for kind, limbs in curves.items():
         for name, values in limbs.items():
-            joints = robot.limbs[name].joint_names
-            path = f"{kind}/" + part(name)
-            recording.series(path, times, values, [f"{name} {joint}" for joint in joints])
+            _joints(recording, kind, robot.limbs[name], times, values)
     recording.series("tracking", times, to_mm(record.errors), [leg.name for leg in wiring.limbs])
     energy = np.array([[sample.energy, sample.power] for sample in record.samples])
     recording.series("energy", times, energy[:, :1], ["energy [Wh]"])
@@ -107,6 +105,12 @@ def walk_scene(result: WalkResult, passages: Sequence[Passage] = ()) -> Recordin
     ways = np.interp(at, record.t, record.way)
     log_packets(recording, robot, heard, Times(at, walk.phase(ways)))
     return recording
+
+
+def _joints(recording: Recording, kind: str, limb: Limb, times: Times, values: Array) -> None:
+    """Curves (F, n) of a limb's joints."""
+    names = [f"{limb.name} {joint}" for joint in limb.joint_names]
+    recording.series(f"{kind}/" + part(limb.name), times, values, names)
 
 
 def _walker(recording: Recording, motion: Motion, times: Times, frames: bool) -> None:
