@@ -114,12 +114,11 @@ def emulate(
 @contextmanager
 def _ended_by_signals(server: "Server") -> Iterator[None]:
     """Let Ctrl-C, SIGTERM and a closed terminal end the server in its own time, with nothing left half done."""
-    numbers = [signal.SIGINT, signal.SIGTERM]
-    # Windows has no SIGHUP, and nohup ignores it on purpose.
-    hangup = getattr(signal, "SIGHUP", None)
-    if hangup and signal.getsignal(hangup) != signal.SIG_IGN:
-        numbers.append(hangup)
-    before = {number: signal.signal(number, lambda *_: server.stop()) for number in numbers}
+    from kinlab.endings import endings
+
+    before = {
+        number: signal.signal(number, lambda *_: server.stop()) for number in (signal.SIGINT, *endings())
+    }
     try:
         yield
     finally:

@@ -174,13 +174,12 @@ def _show(recording: "Recording | Path", how: "View") -> None:
     import signal
     from contextlib import suppress
 
+    from kinlab.endings import endings
     from kinlab.scene import viewing
 
-    # However it is ended, the viewer ends with it; Windows has no SIGHUP, and nohup ignores it on purpose.
-    for ending in ("SIGTERM", "SIGHUP"):
-        number = getattr(signal, ending, None)
-        if number and signal.getsignal(number) != signal.SIG_IGN:
-            signal.signal(number, signal.default_int_handler)
+    # However it is ended, the viewer ends with it.
+    for ending in endings():
+        signal.signal(ending, signal.default_int_handler)
     with suppress(KeyboardInterrupt), viewing(recording, how) as viewer:
         where = (
             f"open {how.page}   Ctrl-C ends" if how.browser else "close the window, or press Ctrl-C, to end"

@@ -20,6 +20,7 @@ from textual.binding import Binding, BindingType
 from textual.screen import Screen
 
 from kinlab.canvas import without_braille
+from kinlab.endings import endings
 from kinlab.errors import KinlabError, UsageError
 from kinlab.files import own_folder
 from kinlab.language import LANGUAGES, language, words_of
@@ -130,9 +131,9 @@ class KinlabApp(App[None]):
 
     def on_mount(self) -> None:
         # A terminal that is closed, or a process that is ended, is left as by the key: what was chosen is kept.
-        for name in ("SIGHUP", "SIGTERM"):
-            with suppress(NotImplementedError, AttributeError):
-                asyncio.get_running_loop().add_signal_handler(getattr(signal, name), self.exit)
+        for ending in endings():
+            with suppress(NotImplementedError):
+                asyncio.get_running_loop().add_signal_handler(ending, self.exit)
         self._guard_resuming()
         self._show(self._station)
         if self.set_aside is not None:

@@ -15,6 +15,7 @@ from aiohttp import WSCloseCode, web
 from aiohttp.http_exceptions import HttpProcessingError
 from textual_serve.server import Server, to_int
 
+from kinlab.endings import endings
 from kinlab.errors import KinlabError
 from kinlab.language import words_of
 from kinlab.tui.web.gate import Gate
@@ -94,10 +95,10 @@ class LabServer(Server):
             except (OSError, OverflowError, UnicodeError) as error:
                 raise KinlabError(_no_port(self.host, self.port, error)) from None
             over = asyncio.Event()
-            for name in ("SIGINT", "SIGTERM", "SIGHUP"):
-                # Where there are no such signals, Ctrl-C cancels this task.
-                with suppress(NotImplementedError, AttributeError):
-                    asyncio.get_running_loop().add_signal_handler(getattr(signal, name), over.set)
+            for ending in (signal.SIGINT, *endings()):
+                # Where a loop takes no signals, Ctrl-C cancels this task.
+                with suppress(NotImplementedError):
+                    asyncio.get_running_loop().add_signal_handler(ending, over.set)
             ready(runner.addresses[0][1])
             await over.wait()
         finally:
